@@ -21,7 +21,7 @@ coordinates of both frames, with absolute values of its elements, and B' is the 
 - the roundings of the flight, r of the place and u (|v| + g t) of the velocity, of the root, which
   is off the surface by at most A_F (`root_offset` of the surface), of the normal and the impact;
 - what the derivative leaves out (`second_order`);
-- 2^-18 of the sizes of all products in T, for the roundings of T in single precision.
+- 2^-19 of the sizes of all products in T, for the roundings of T in single precision.
 
 *Proof.* The flight is linear in the state. At the computed time of the contact the exact ball is
 therefore off the computed one by the linear image of the errors at the start, and by the roundings
@@ -29,13 +29,16 @@ r and u (|v| + g t). The exact flight from the computed start reaches the surfac
 the level of its start, within A_F/V of that time (`tests/derive/errors/test_ring_roots.py`,
 `test_plane_roots.py`, and `root_offset`). So the exact ball has there a distance from the surface
 of at most A_n, the first row of the flight's matrix times B, with A_F and the curvature's share
-K A², where A bounds the norm of its error. The computed place is off that flight by r. On a return
-both balls count from the level of the computed start, which is q_n off: an offset q_n at the start
-shifts the whole flight, and changes the distance by (n·n_0 - 1) q_n.
+K A² of both ends of the flight, where A bounds the norm of its error. The computed place is off
+that flight by r. On a return both balls count from the level of the computed start, which is q_n
+off: an offset q_n at the start shifts the whole flight, and changes the distance by
+(n·n_0 - 1) q_n.
 
 With the ball at the nearest point of the surface, which has the same normal, as the first ball of
 the lemma in `second_order`, and A_n in place of A in the delay, the exact ball meets the surface
-once within S = 1.1 A_n/V, and all that its derivative leaves out is at most d²c, d²n, d²v and d²w.
+once within S = 1.1 A_n/V, and all that its derivative leaves out is at most d²c, d²n, d²v and d²w;
+d²t counts the curvature of both ends. Of the acceleration only n·g changes the speed towards the
+surface, and V/12 in place of V/11 leaves room for single precision.
 The law is the same in every frame. A change of the normal by the error q is the rotation Ω q, so
 in the turned frame the impact multiplies y by its constant matrix: -e along n, and along the
 surface the shares that stay and that friction gives. That is T. The computed impact differs from
@@ -47,7 +50,8 @@ besides; that is B'_n (`root_level`). On a plane it is put there. What of dw is 
 coordinates, y_z, is made by each contact anew, of roundings and the second order: without slip
 w = n × v/R_B along the surface. ∎
 
-If the lemma's conditions do not hold the bounds are infinite, and the shot is uncertain.
+If the lemma's conditions do not hold, or the normal is a 2^20th longer or shorter than 1, the
+bounds are infinite, and a shot with bounds that are not finite is uncertain at once.
 """
 
 from __future__ import annotations
@@ -60,7 +64,16 @@ import sympy as sp
 from ..contact.ball import Ball
 from ..motion.parabola import Parabola
 from ..surfaces import Plane, Ring, Surface
-from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier, maximum
+from ..symbolic.conditionals import (
+    IfAtMost,
+    IfLess,
+    Less,
+    Not,
+    absolute,
+    all_of,
+    barrier,
+    maximum,
+)
 from ..symbolic.error_terms import clock, clock_error, left_normal
 from ..symbolic.rounding import ROUNDING_SLACK
 from ..symbolic.symbols import (
@@ -109,8 +122,10 @@ CARRIED = (*BOUNDS, *NORMS, *left_normal, *LEFT_TANGENT, *LEFT_BENDS)
 LAW_ROUNDINGS = 14
 """The roundings of an impact, of the sum of the sizes of velocity and of the radius times spin."""
 
-T_ROUNDING = sp.Rational(1, 2**18)
-"""Roundings of T in single precision, and of its factors, of the sizes of all products in it."""
+T_ROUNDING = sp.Rational(1, 2**19)
+"""Roundings of T in single precision, of the sizes of all products in it: 2^5 units of 2^-24. An
+element of its first rows has at most 24 in a chain, with those of its factors, which are components
+of unit vectors, velocities and times; the sizes count those of later rows twice."""
 
 FLOOR = sp.Rational(1, 2**100)
 """A length, and a velocity, that single precision still represents."""
@@ -342,10 +357,11 @@ def contact_errors(flight: Parabola, ball: Ball, restitution: sp.Expr) -> dict[s
         barrier(IfAtMost(rest.excess, 0, ROUNDING_SLACK * barrier(one), sp.oo))
         for one in (rest.level, *found, rest.unrolled)
     ]
+    norms = norms_after(here, ball, bounds, rest.speed_after, rest.spin_after)
     delay = IfAtMost(rest.excess, 0, ROUNDING_SLACK * rest.late, sp.oo)
     return {
         **{s.name: value for s, value in zip(BOUNDS, bounds, strict=True)},
-        **norms_after(here, ball, bounds, rest.speed_after, rest.spin_after),
+        **{name: IfAtMost(rest.excess, 0, norm, sp.oo) for name, norm in norms.items()},
         **{f"left_n{axis}": n for axis, n in zip("xyz", normal, strict=True)},
         **{s.name: value for s, value in zip(LEFT_TANGENT, TANGENT, strict=True)},
         **{s.name: value for s, value in zip(LEFT_BENDS, BENDS, strict=True)},
@@ -395,29 +411,33 @@ class _Rest:
         nearing = barrier(absolute(normal_velocity))
         p, e, w = NORMS
         # As in `second_order`: bounds on errors before the contact, and what they can make.
-        off = barrier(p + e * t + barrier(sum(places)) + root_offset)
+        off = barrier(p + e * t + barrier(sum(places)) + maximum(root_offset, root_level))
         sped = barrier(e + speeds)
-        bent = barrier(sharpest_bend * off)
-        apart = barrier(gap + root_offset + barrier(bent + T_ROUNDING) * off)
+        bent = barrier(remainder.BEND * barrier(sharpest_bend * off) * off)
+        # The velocity at the start is rounded as a sum with the fall, which may be the larger part.
+        left_turn = barrier(LEFT_BENDS[0] * BOUNDS[1] + LEFT_BENDS[1] * BOUNDS[2])
+        summed = barrier(flight.strength * t * left_turn)
+        blur = barrier(T_ROUNDING * barrier(off + summed * t))
+        apart = barrier(gap + root_offset + bent + blur)
         self.late = barrier(remainder.STRETCH * apart / nearing)
         change = barrier(sped + flight.strength * self.late)
         way = barrier(off + barrier(size + change) * self.late)
         turn = barrier(remainder.BEND * sharpest_bend * way)
         drift = barrier(sped * self.late + flight.strength * self.late**2 / 2)
-        belated = barrier(barrier(drift + remainder.BEND / 2 * barrier(turn * way)) / nearing)
+        belated = barrier(barrier(drift + barrier(turn * way)) / nearing)
         place = barrier(size * belated + drift)
         tilt = barrier(remainder.BEND * sharpest_bend * place + 2 * turn**2)
-        self.excess = maximum(
-            barrier(11 * barrier(change + turn * barrier(size + change)) - nearing),
-            barrier(100 * barrier(sharpest_bend * way) - 1),
-        )
+        falling = absolute(here.of_vector(flight.acceleration)[0])
+        slowed = barrier(sped + falling * self.late + turn * barrier(size + change))
         self.speed_after = barrier(size + ball.radius * spinning)
         self.spin_after = barrier(size * per_radius + spinning)
         # The second order, and the roundings of T.
-        beyond = barrier(place + T_ROUNDING * way)
+        beyond = barrier(place + T_ROUNDING * way + blur)
         turned = barrier(barrier(here.bends[0] + here.bends[1]) * beyond)
         products = barrier(
-            2 * change + barrier(4 * size + ball.radius * spinning) * turn + ball.radius * w
+            2 * barrier(change + summed)
+            + barrier(4 * size + ball.radius * spinning) * turn
+            + ball.radius * w
         )
         curved = barrier(
             self.speed_after * turned
@@ -440,7 +460,7 @@ class _Rest:
             barrier(sum(absolute(c) * r for c, r in zip(here.axes.row(k), places, strict=True)))
             for k in range(3)
         )
-        delay = barrier(barrier(root_offset + T_ROUNDING * off) / nearing)
+        delay = barrier(barrier(root_offset + blur) / nearing)
         own = [barrier(r + absolute(v) * delay) for r, v in zip(along, moving[1:], strict=True)]
         paces, turns = (
             [
@@ -452,6 +472,11 @@ class _Rest:
         paces = [barrier(pace + speeds + flight.strength * delay) for pace in paces]
         self.level = barrier(normals + root_level + place)
         longer = barrier(here.bends[0] * self.level)
+        self.excess = maximum(
+            barrier(12 * slowed - nearing),
+            barrier(100 * barrier(sharpest_bend * way) - 1),
+            barrier(2**20 * longer - 1),
+        )
         law = barrier(LAW_ROUNDINGS * UNIT_ROUNDOFF * self.speed_after + FLOOR)
         rubbing = barrier(rubbed * spinning * barrier(normal_rounding + longer))
         across = barrier(law + both * nearing * normal_rounding + rubbing + curved)
@@ -464,6 +489,7 @@ class _Rest:
             stays * paces[1] + rubbed * turns[2] + across,
             stays * paces[2] + rubbed * turns[1] + across,
             turns[0]
+            + stays * barrier(size * per_radius * normal_rounding)
             + 2 * barrier(spinning * barrier(normal_rounding + longer))
             + law * per_radius
             + curved_spin,
@@ -481,7 +507,7 @@ def _late(flight: Parabola, off: sp.Expr, sped: sp.Expr) -> tuple[sp.Expr, sp.Ex
     """Return S on a plane for a ball that is off by so much, and what has to be at most zero."""
     nearing = barrier(absolute(normal_velocity))
     late = barrier(remainder.STRETCH * off / nearing)
-    return late, barrier(11 * barrier(sped + flight.strength * late) - nearing)
+    return late, barrier(12 * barrier(sped + flight.strength * late) - nearing)
 
 
 def errors_at_end(flight: Parabola) -> dict[str, sp.Expr]:
@@ -537,6 +563,12 @@ def errors_at_time(flight: Parabola) -> dict[str, sp.Expr]:
     return found | {"clock_error": sp.Integer(0)}
 
 
+def unbounded() -> dict[str, sp.Basic]:
+    """Return whether a bound is not finite, which no later decision may notice."""
+    finite = all_of(*(Less(bound, sp.oo) for bound in (*NORMS, clock_error)))
+    return {"unbounded": Not(finite)}
+
+
 def error_bounds() -> dict[str, sp.Expr]:
     """Return the bounds on the errors of a state and its time: the norms that are carried."""
     names = ("position_error", "velocity_error", "spin_error", "time_error")
@@ -554,7 +586,8 @@ def tangents(surface: Surface, flight: Parabola) -> dict[str, sp.Expr]:
     With ℓ the length of the path, p a bound on the roundings of a place, and |d|, |d_0| <= R,
     (ρ + ρ_0) ℓ >= |ρ² - ρ_0²|, ρ_0/(ρ + ρ_0) <= (R_H + R)/(2 R_H) <= 5/6, the terms there add up to
     at most 2 R (u (16 + 2 R_H/R) ℓ + 3/2 K p ℓ). Newton's method leaves 9/8 of these roundings, or
-    2^-49 F'²/C <= 2^-48 R² V²/v² (`events/ring/double.py`). The distance is F/(2 R).
+    2^-49 F'²/C <= 2^-48 R² V²/v² (`events/ring/double.py`), and its last step u t of the time. The
+    distance is F/(2 R).
 
     A search takes F less its value at the start where the margin of F/t times t is less than that
     of F (`events/predicates.py`). With V_T the speed at the end T of its windows that is so if
@@ -590,9 +623,10 @@ def tangents(surface: Surface, flight: Parabola) -> dict[str, sp.Expr]:
             + barrier(sp.Rational(3, 2) * barrier(sum(places)) * path) * surface.curvature
         )
         once = barrier(UNIT_ROUNDOFF * barrier(2 * rho + sp.Rational(7, 2) * reach) + rounded)
+        moved = barrier(UNIT_ROUNDOFF * barrier(absolute(normal_velocity) * t) + FLOOR)
         residue = barrier(16 * UNIT_ROUNDOFF * barrier(reach * steep))
         again, once = (
-            barrier(noise + maximum(sp.Rational(9, 8) * noise, residue) + FLOOR)
+            barrier(noise + maximum(sp.Rational(9, 8) * noise, residue) + moved)
             for noise in (again, once)
         )
         begun = barrier(sum(map(absolute, velocity)) + flight.strength * t)

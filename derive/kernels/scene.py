@@ -328,6 +328,14 @@ def _proved_errors(flight: Flight, order: tuple[sp.Symbol, ...]) -> tuple[Kernel
             True,
         ),
         kernel(
+            "unbounded",
+            contact_frames.unbounded(),
+            order,
+            "Whether a bound on an error is not finite.",
+            "comparison",
+            True,
+        ),
+        kernel(
             "carry_time",
             contact_frames.errors_at_time(flight),
             order,

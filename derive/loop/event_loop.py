@@ -350,6 +350,8 @@ def _proved_errors(
     if end_planes:
         yield If("ends", tuple(_timed(common, common["carry_end"])))
     yield from _laws(common, contacts)
+    yield Call(common["unbounded"])
+    yield Call(common["without_bounds"])
     for kind in kinds:
         yield from kind.evaluate(common, "place")
     yield If("touches", (Call(common["touched"]),))

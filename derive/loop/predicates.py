@@ -282,6 +282,11 @@ KERNELS = {
         decision("counted", {"count": count + 1}, "One more contact."),
         decision("elsewhere", {"curving": sp.oo}, "Start value: another surface."),
         decision(
+            "without_bounds",
+            {"uncertain": Choose(Boolean("unbounded"), 1, uncertain)},
+            "1 if a bound on an error is not finite.",
+        ),
+        decision(
             "came_back",
             {"back": Choose(Equal(last, which), 1, 0)},
             "1 if the flight began on the surface that the ball meets.",

@@ -131,6 +131,7 @@ LOOP = {
     "left_bend_e": Entry(r"\kappa^0_2", "the same at the last contact"),
     "sharpest_bend": Entry("K_c", "bound on the curvature of the surface"),
     "root_offset": Entry("A_F", "bound on how far the root is off the surface"),
+    "unbounded": Entry(r"\text{unbounded}", "a bound on an error is not finite"),
     "root_level": Entry(r"A_L", "bound on how far the flight is off the surface at the root"),
     "normal_rounding": Entry(r"\nu_n", "bound on the rounding of the normal"),
     "normal_velocity": Entry("V_n", "velocity along the normal before the impact"),

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 863acc6ac95c3dee,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation a97eb2c9622d3ff5,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -130,8 +130,20 @@ LANES(hoop_carry_end)(S t, S x, S y, S z, S vx, S vy, S vz, S clock, S position_
     const S _s9 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_add(singles_add(singles_mul(_c0, t), _s0), _s2), _s8)));
     const S _s10 = singles_add(singles_mul(_c0, _s7), singles_add(velocity_bound, _s9));
     const S _s11 = singles_mul(KS(1.0009765625), singles_add(singles_mul(_s7, singles_add(_s10, singles_add(singles_add(_s0, _s2), _s8))), _s5));
-    const Q _s12 = singles_at_most(singles_sub(singles_mul(KS(11.0), _s10), _s6), KS(0.0));
+    const Q _s12 = singles_at_most(singles_sub(singles_mul(KS(12.0), _s10), _s6), KS(0.0));
     return (LANES(hoop_carry_end_out)){ singles_select(_s12, _s11, KS(INFINITY)), singles_select(_s12, singles_mul(KS(1.0009765625), _s10), KS(INFINITY)), singles_select(_s12, singles_mul(KS(1.0009765625), spin_bound), KS(INFINITY)), singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_select(_s12, singles_mul(KS(1.0009765625), _s7), KS(INFINITY))) };
+}
+
+/* Whether a bound on an error is not finite.
+   comparison. 8 operations: 4 comparisons, 3 conjunctions, 1 complement. */
+typedef struct {
+    M unbounded;
+} LANES(hoop_unbounded_out);
+
+LANES_INLINE LANES(hoop_unbounded_out)
+LANES(hoop_unbounded)(S clock_error, S position_bound, S velocity_bound, S spin_bound)
+{
+    return (LANES(hoop_unbounded_out)){ singles_truth(singles_not(singles_both(singles_both(singles_both(singles_less(position_bound, KS(INFINITY)), singles_less(velocity_bound, KS(INFINITY))), singles_less(spin_bound, KS(INFINITY))), singles_less(clock_error, KS(INFINITY))))) };
 }
 
 /* Bounds on the errors at the time limit.
@@ -789,6 +801,18 @@ LANES(hoop_counted)(V count)
     return (LANES(hoop_counted_out)){ lanes_add(K(1.0), count) };
 }
 
+/* 1 if a bound on an error is not finite.
+   Table 1. 1 operation: 1 selection. */
+typedef struct {
+    V uncertain;
+} LANES(hoop_without_bounds_out);
+
+LANES_INLINE LANES(hoop_without_bounds_out)
+LANES(hoop_without_bounds)(M unbounded, V uncertain)
+{
+    return (LANES(hoop_without_bounds_out)){ lanes_select(unbounded, K(1.0), uncertain) };
+}
+
 /* 1 if the flight began on the surface that the ball meets.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
@@ -984,7 +1008,7 @@ LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V _c0, 
 }
 
 /* Bounds on errors after a contact, from those at the departure before it.
-   derivative of the frame-free Eq. 17, with roundings. 931 operations: 259 additions, 64 subtractions, 464 multiplications, 5 divisions, 37 negations, 82 absolute values, 6 comparisons, 14 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 955 operations: 265 additions, 65 subtractions, 473 multiplications, 5 divisions, 37 negations, 83 absolute values, 8 comparisons, 19 selections. */
 typedef struct {
     S place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay;
 } LANES(hoop_carry_impact_out);
@@ -992,202 +1016,208 @@ typedef struct {
 LANES_INLINE LANES(hoop_carry_impact_out)
 LANES(hoop_carry_impact)(S t, S x, S y, S z, S vx, S vy, S vz, S wx, S wy, S wz, S nx, S ny, S nz, S clock, S left_nx, S left_ny, S left_nz, S place_n, S place_s, S place_e, S pace_n, S pace_s, S pace_e, S turn_n, S turn_z, S position_bound, S velocity_bound, S spin_bound, S tangent_x, S tangent_y, S bend_s, S bend_e, S left_ex, S left_ey, S left_bend_s, S left_bend_e, S sharpest_bend, S root_offset, S root_level, S normal_rounding, S normal_velocity, S back, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
 {
-    const S _s0 = singles_abs(vx);
-    const S _s1 = singles_mul(KS(2.0), t);
-    const S _s2 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s1, _s0), singles_abs(x))));
-    const S _s3 = singles_abs(vy);
-    const S _s4 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s1, _s3), singles_abs(y))));
-    const S _s5 = singles_add(singles_add(singles_mul(_c3, singles_mul(t, t)), singles_mul(_s1, singles_abs(singles_add(vz, singles_mul(_c3, t))))), singles_abs(z));
-    const S _s6 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s5));
-    const S _s7 = singles_add(singles_add(singles_add(position_bound, root_offset), singles_mul(t, velocity_bound)), singles_add(singles_add(_s2, _s4), _s6));
-    const S _s8 = singles_add(singles_add(singles_mul(nx, left_nx), singles_mul(ny, left_ny)), singles_mul(nz, left_nz));
-    const S _s9 = singles_sub(_s8, back);
-    const S _s10 = singles_mul(left_nz, left_ey);
-    const S _s11 = singles_neg(singles_mul(left_nz, left_ex));
-    const S _s12 = singles_mul(_c2, t);
-    const S _s13 = singles_add(vz, _s12);
-    const S _s14 = singles_sub(singles_mul(left_ny, left_ex), singles_mul(left_nx, left_ey));
-    const S _s15 = singles_add(singles_add(singles_mul(vx, _s10), singles_mul(vy, _s11)), singles_mul(_s13, _s14));
-    const S _s16 = singles_neg(singles_mul(left_bend_s, _s15));
-    const S _s17 = singles_mul(t, _s16);
-    const S _s18 = singles_add(singles_add(singles_mul(vx, left_nx), singles_mul(vy, left_ny)), singles_mul(left_nz, _s13));
-    const S _s19 = singles_mul(left_bend_s, _s18);
-    const S _s20 = singles_add(KS(1.0), singles_mul(t, _s19));
-    const S _s21 = singles_add(singles_add(singles_mul(nx, _s10), singles_mul(ny, _s11)), singles_mul(nz, _s14));
-    const S _s22 = singles_add(singles_mul(_s17, _s8), singles_mul(_s20, _s21));
-    const S _s23 = singles_add(singles_mul(vx, left_ex), singles_mul(vy, left_ey));
-    const S _s24 = singles_mul(left_nz, left_bend_e);
-    const S _s25 = singles_neg(singles_mul(_s24, _s23));
-    const S _s26 = singles_mul(t, _s25);
-    const S _s27 = singles_mul(singles_mul(left_bend_e, _s23), _s14);
-    const S _s28 = singles_mul(t, _s27);
-    const S _s29 = singles_mul(left_bend_e, singles_sub(singles_mul(left_nz, _s15), singles_mul(_s14, _s18)));
-    const S _s30 = singles_add(KS(1.0), singles_mul(t, _s29));
-    const S _s31 = singles_add(singles_mul(nx, left_ex), singles_mul(ny, left_ey));
-    const S _s32 = singles_add(singles_add(singles_mul(_s26, _s21), singles_mul(_s28, _s8)), singles_mul(_s30, _s31));
-    const S _s33 = singles_mul(t, _s8);
-    const S _s34 = singles_mul(t, _s21);
-    const S _s35 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s9)), singles_mul(place_s, singles_abs(_s22))), singles_mul(place_e, singles_abs(_s32))), singles_mul(pace_n, singles_abs(_s33))), singles_mul(pace_s, singles_abs(_s34)));
-    const S _s36 = singles_mul(t, _s31);
-    const S _s37 = singles_abs(normal_velocity);
-    const S _s38 = singles_mul(KS(1.1), singles_add(singles_add(root_offset, singles_mul(singles_add(KS(3.814697265625e-06), singles_mul(sharpest_bend, _s7)), _s7)), singles_add(_s35, singles_mul(pace_e, singles_abs(_s36)))));
-    const S _s39 = singles_div(_s38, _s37);
-    const S _s40 = singles_abs(vz);
-    const S _s41 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_add(singles_add(_s12, _s0), _s3), _s40)));
-    const S _s42 = singles_add(velocity_bound, _s41);
-    const S _s43 = singles_add(singles_mul(_c2, _s39), _s42);
-    const S _s44 = singles_add(singles_add(_s0, _s3), _s40);
-    const S _s45 = singles_add(_s43, _s44);
-    const S _s46 = singles_add(singles_mul(_s39, _s45), _s7);
-    const S _s47 = singles_mul(KS(1.02), sharpest_bend);
-    const S _s48 = singles_mul(_s47, _s46);
-    const S _s49 = singles_sub(singles_mul(KS(11.0), singles_add(singles_mul(_s48, _s45), _s43)), _s37);
-    const S _s50 = singles_sub(singles_mul(KS(100.0), singles_mul(sharpest_bend, _s46)), KS(1.0));
-    const S _s51 = singles_add(singles_mul(_c3, singles_mul(_s39, _s39)), singles_mul(_s39, _s42));
-    const S _s52 = singles_div(singles_add(singles_mul(KS(0.51), singles_mul(_s48, _s46)), _s51), _s37);
-    const S _s53 = singles_add(singles_mul(_s52, _s44), _s51);
-    const S _s54 = singles_add(singles_add(root_level, _s53), singles_add(singles_add(singles_mul(singles_abs(nx), _s2), singles_mul(singles_abs(ny), _s4)), singles_mul(singles_abs(nz), _s6)));
-    const Q _s55 = singles_at_most(singles_max(_s49, _s50), KS(0.0));
-    const S _s56 = singles_select(_s55, singles_mul(KS(1.0009765625), _s54), KS(INFINITY));
-    const S _s57 = singles_mul(nz, tangent_y);
-    const S _s58 = singles_neg(singles_mul(nz, tangent_x));
-    const S _s59 = singles_sub(singles_mul(ny, tangent_x), singles_mul(nx, tangent_y));
-    const S _s60 = singles_add(singles_add(singles_mul(vx, _s57), singles_mul(vy, _s58)), singles_mul(vz, _s59));
-    const S _s61 = singles_abs(_s60);
-    const S _s62 = singles_div(singles_add(root_offset, singles_mul(KS(3.814697265625e-06), _s7)), _s37);
-    const S _s63 = singles_add(singles_mul(_s61, _s62), singles_add(singles_add(singles_mul(singles_abs(_s58), _s4), singles_mul(singles_abs(_s57), _s2)), singles_mul(singles_abs(_s59), _s6)));
-    const S _s64 = singles_add(_s53, singles_mul(KS(3.814697265625e-06), _s46));
-    const S _s65 = singles_div(KS(1.0), normal_velocity);
-    const S _s66 = singles_neg(singles_mul(_s65, _s9));
-    const S _s67 = singles_add(singles_add(singles_mul(left_nx, _s57), singles_mul(left_ny, _s58)), singles_mul(left_nz, _s59));
-    const S _s68 = singles_add(singles_mul(_s66, _s60), _s67);
-    const S _s69 = singles_neg(singles_mul(_s65, _s22));
-    const S _s70 = singles_add(singles_add(singles_mul(_s58, _s11), singles_mul(_s57, _s10)), singles_mul(_s59, _s14));
-    const S _s71 = singles_add(singles_mul(_s69, _s60), singles_add(singles_mul(_s17, _s67), singles_mul(_s20, _s70)));
-    const S _s72 = singles_neg(singles_mul(_s65, _s32));
-    const S _s73 = singles_add(singles_mul(left_ex, _s57), singles_mul(left_ey, _s58));
-    const S _s74 = singles_add(singles_mul(_s72, _s60), singles_add(singles_add(singles_mul(_s26, _s70), singles_mul(_s28, _s67)), singles_mul(_s30, _s73)));
-    const S _s75 = singles_neg(singles_mul(_s65, _s33));
-    const S _s76 = singles_add(singles_mul(_s75, _s60), singles_mul(t, _s67));
-    const S _s77 = singles_neg(singles_mul(_s65, _s34));
-    const S _s78 = singles_add(singles_mul(_s77, _s60), singles_mul(t, _s70));
-    const S _s79 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s68)), singles_mul(place_s, singles_abs(_s71))), singles_mul(place_e, singles_abs(_s74))), singles_mul(pace_n, singles_abs(_s76))), singles_mul(pace_s, singles_abs(_s78)));
-    const S _s80 = singles_neg(singles_mul(_s65, _s36));
-    const S _s81 = singles_add(singles_mul(_s80, _s60), singles_mul(t, _s73));
-    const S _s82 = singles_select(_s55, singles_mul(KS(1.0009765625), singles_add(singles_add(_s63, _s64), singles_add(_s79, singles_mul(pace_e, singles_abs(_s81))))), KS(INFINITY));
-    const S _s83 = singles_add(singles_mul(vx, tangent_x), singles_mul(vy, tangent_y));
-    const S _s84 = singles_abs(_s83);
-    const S _s85 = singles_add(singles_mul(_s84, _s62), singles_add(singles_add(singles_mul(_c4, _s6), singles_mul(singles_abs(tangent_x), _s2)), singles_mul(singles_abs(tangent_y), _s4)));
-    const S _s86 = singles_add(singles_mul(left_nx, tangent_x), singles_mul(left_ny, tangent_y));
-    const S _s87 = singles_add(singles_mul(_s66, _s83), _s86);
-    const S _s88 = singles_add(singles_mul(tangent_x, _s10), singles_mul(tangent_y, _s11));
-    const S _s89 = singles_add(singles_mul(_s69, _s83), singles_add(singles_mul(_s17, _s86), singles_mul(_s20, _s88)));
-    const S _s90 = singles_add(singles_mul(tangent_x, left_ex), singles_mul(tangent_y, left_ey));
-    const S _s91 = singles_add(singles_mul(_s72, _s83), singles_add(singles_add(singles_mul(_s26, _s88), singles_mul(_s28, _s86)), singles_mul(_s30, _s90)));
-    const S _s92 = singles_add(singles_mul(_s75, _s83), singles_mul(t, _s86));
-    const S _s93 = singles_add(singles_mul(_s77, _s83), singles_mul(t, _s88));
-    const S _s94 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s87)), singles_mul(place_s, singles_abs(_s89))), singles_mul(place_e, singles_abs(_s91))), singles_mul(pace_n, singles_abs(_s92))), singles_mul(pace_s, singles_abs(_s93)));
-    const S _s95 = singles_add(singles_mul(_s80, _s83), singles_mul(t, _s90));
-    const S _s96 = singles_select(_s55, singles_mul(KS(1.0009765625), singles_add(singles_add(_s85, _s64), singles_add(_s94, singles_mul(pace_e, singles_abs(_s95))))), KS(INFINITY));
-    const S _s97 = singles_add(singles_mul(_c2, _s62), _s41);
-    const S _s98 = singles_neg(singles_mul(bend_s, _s60));
-    const S _s99 = singles_mul(bend_e, _s59);
-    const S _s100 = singles_mul(_s99, _s83);
-    const S _s101 = singles_add(_s97, singles_add(singles_mul(singles_abs(_s98), _s63), singles_mul(singles_abs(_s100), _s85)));
-    const S _s102 = singles_mul(bend_s, _s54);
-    const S _s103 = singles_add(normal_rounding, _s102);
-    const S _s104 = singles_add(singles_add(singles_abs(wx), singles_abs(wy)), singles_abs(wz));
-    const S _s105 = singles_mul(singles_mul(_c6, _s103), _s104);
-    const S _s106 = singles_mul(_c0, _s104);
-    const S _s107 = singles_add(_s106, _s44);
-    const S _s108 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.5543122344752192e-15), _s107));
-    const S _s109 = singles_mul(_c2, _s52);
-    const S _s110 = singles_mul(singles_add(bend_s, bend_e), _s64);
-    const S _s111 = singles_mul(_s48, _s48);
-    const S _s112 = singles_add(singles_mul(_s47, _s53), singles_mul(KS(2.0), _s111));
-    const S _s113 = singles_add(singles_add(singles_add(_s109, singles_mul(_s48, singles_add(singles_mul(spin_bound, _c6), singles_mul(_c7, _s43)))), singles_mul(_s110, _s107)), singles_mul(_s112, singles_add(singles_mul(_c6, _s104), singles_mul(_c7, _s44))));
-    const S _s114 = singles_mul(KS(3.814697265625e-06), singles_add(singles_add(singles_mul(_c0, spin_bound), singles_mul(_s48, singles_add(_s106, singles_mul(KS(4.0), _s44)))), singles_mul(KS(2.0), _s43)));
-    const S _s115 = singles_add(singles_add(_s113, singles_mul(singles_mul(_s111, _c5), _s45)), _s114);
-    const S _s116 = singles_add(singles_add(singles_mul(_c1, _s101), singles_mul(_c5, singles_add(singles_mul(normal_rounding, singles_add(_s44, _s37)), singles_mul(singles_mul(KS(2.0), _s102), _s37)))), singles_add(singles_add(_s105, _s108), _s115));
-    const S _s117 = singles_neg(singles_mul(_c2, nz));
-    const S _s118 = singles_abs(singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_mul(_s117, _s66), singles_mul(_s98, _s68)), singles_mul(_s100, _s87)))));
-    const S _s119 = singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s117, _s69), singles_add(singles_mul(_s19, _s21), singles_mul(_s16, _s8))), singles_mul(_s98, _s71)), singles_mul(_s100, _s89)));
-    const S _s120 = singles_sub(singles_sub(singles_add(singles_mul(_s117, _s72), singles_add(singles_add(singles_mul(_s29, _s31), singles_mul(_s25, _s21)), singles_mul(_s27, _s8))), singles_mul(_s98, _s74)), singles_mul(_s100, _s91));
-    const S _s121 = singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s117, _s75), _s8), singles_mul(_s98, _s76)), singles_mul(_s100, _s92))));
-    const S _s122 = singles_add(singles_add(singles_add(singles_mul(place_n, _s118), singles_mul(place_s, singles_abs(singles_neg(_s119)))), singles_mul(place_e, singles_abs(singles_neg(singles_mul(_c1, _s120))))), singles_mul(pace_n, singles_abs(_s121)));
-    const S _s123 = singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s117, _s77), _s21), singles_mul(_s98, _s78)), singles_mul(_s100, _s93))));
-    const S _s124 = singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s117, _s80), _s31), singles_mul(_s98, _s81)), singles_mul(_s100, _s95))));
-    const S _s125 = singles_mul(KS(1.0009765625), singles_add(_s116, singles_add(singles_add(_s122, singles_mul(pace_s, singles_abs(_s123))), singles_mul(pace_e, singles_abs(_s124)))));
-    const S _s126 = singles_select(_s55, _s125, KS(INFINITY));
-    const S _s127 = singles_mul(_c4, _s63);
-    const S _s128 = singles_add(singles_add(singles_mul(wx, _s57), singles_mul(wy, _s58)), singles_mul(wz, _s59));
-    const S _s129 = singles_add(singles_add(singles_mul(nx, wx), singles_mul(ny, wy)), singles_mul(nz, wz));
-    const S _s130 = singles_mul(bend_e, singles_sub(singles_mul(nz, _s128), singles_mul(_s59, _s129)));
-    const S _s131 = singles_add(_s127, singles_mul(singles_abs(_s130), _s85));
-    const S _s132 = singles_mul(bend_s, normal_velocity);
-    const S _s133 = singles_mul(nz, bend_e);
-    const S _s134 = singles_neg(singles_mul(_s133, _s83));
-    const S _s135 = singles_add(_s97, singles_add(singles_mul(singles_abs(_s132), _s63), singles_mul(singles_abs(_s134), _s85)));
-    const S _s136 = singles_add(singles_add(singles_add(singles_mul(singles_mul(normal_rounding, _c5), _s37), _s105), _s108), _s115);
-    const S _s137 = singles_neg(singles_mul(_c2, _s59));
-    const S _s138 = singles_abs(singles_add(singles_mul(_c6, singles_neg(singles_mul(_s130, _s87))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_mul(_s137, _s66), singles_mul(_s132, _s68)), singles_mul(_s134, _s87)))));
-    const S _s139 = singles_add(singles_add(singles_mul(wx, left_nx), singles_mul(wy, left_ny)), singles_mul(wz, left_nz));
-    const S _s140 = singles_mul(left_bend_s, _s139);
-    const S _s141 = singles_add(singles_add(singles_mul(wx, _s10), singles_mul(wy, _s11)), singles_mul(wz, _s14));
-    const S _s142 = singles_neg(singles_mul(left_bend_s, _s141));
-    const S _s143 = singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s137, _s69), singles_add(singles_mul(_s19, _s70), singles_mul(_s16, _s67))), singles_mul(_s132, _s71)), singles_mul(_s134, _s89)));
-    const S _s144 = singles_abs(singles_add(singles_mul(_c6, singles_sub(singles_add(singles_mul(_s140, _s88), singles_mul(_s142, _s86)), singles_mul(_s130, _s89))), _s143));
-    const S _s145 = singles_mul(left_bend_e, singles_sub(singles_mul(left_nz, _s141), singles_mul(_s14, _s139)));
-    const S _s146 = singles_add(singles_mul(wx, left_ex), singles_mul(wy, left_ey));
-    const S _s147 = singles_neg(singles_mul(_s24, _s146));
-    const S _s148 = singles_mul(singles_mul(left_bend_e, _s146), _s14);
-    const S _s149 = singles_sub(singles_sub(singles_add(singles_mul(_s137, _s72), singles_add(singles_add(singles_mul(_s29, _s73), singles_mul(_s25, _s70)), singles_mul(_s27, _s67))), singles_mul(_s132, _s74)), singles_mul(_s134, _s91));
-    const S _s150 = singles_add(singles_mul(_c6, singles_sub(singles_add(singles_add(singles_mul(_s145, _s90), singles_mul(_s147, _s88)), singles_mul(_s148, _s86)), singles_mul(_s130, _s91))), singles_mul(KS(0.6), _s149));
-    const S _s151 = singles_add(singles_mul(_c6, singles_neg(singles_mul(_s130, _s92))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s137, _s75), _s67), singles_mul(_s132, _s76)), singles_mul(_s134, _s92))));
-    const S _s152 = singles_add(singles_mul(_c6, singles_sub(singles_mul(_c8, _s90), singles_mul(_s130, _s93))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s137, _s77), _s70), singles_mul(_s132, _s78)), singles_mul(_s134, _s93))));
-    const S _s153 = singles_add(singles_mul(_c6, singles_sub(singles_neg(singles_mul(_c8, _s88)), singles_mul(_s130, _s95))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s137, _s80), _s73), singles_mul(_s132, _s81)), singles_mul(_s134, _s95))));
-    const S _s154 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, _s138), singles_mul(place_s, _s144)), singles_mul(place_e, singles_abs(_s150))), singles_mul(pace_n, singles_abs(_s151))), singles_mul(pace_s, singles_abs(_s152))), singles_mul(pace_e, singles_abs(_s153)));
-    const S _s155 = singles_add(singles_add(singles_add(_s154, singles_mul(turn_n, singles_abs(singles_mul(_c6, _s86)))), singles_mul(turn_z, singles_abs(singles_mul(_c6, _s90)))), singles_mul(turn_z, singles_abs(singles_mul(_c6, _s88))));
-    const S _s156 = singles_select(_s55, singles_mul(KS(1.0009765625), singles_add(singles_add(singles_add(singles_mul(_c6, _s131), singles_mul(KS(0.6), _s135)), _s136), _s155)), KS(INFINITY));
-    const S _s157 = singles_mul(bend_s, _s129);
-    const S _s158 = singles_add(singles_mul(wx, tangent_x), singles_mul(wy, tangent_y));
-    const S _s159 = singles_neg(singles_mul(_s133, _s158));
-    const S _s160 = singles_add(singles_mul(singles_abs(_s157), _s63), singles_mul(singles_abs(_s159), _s85));
-    const S _s161 = singles_mul(bend_e, singles_sub(singles_mul(nz, _s60), singles_mul(normal_velocity, _s59)));
-    const S _s162 = singles_add(_s97, singles_add(_s127, singles_mul(singles_abs(_s161), _s85)));
-    const S _s163 = singles_abs(singles_sub(singles_mul(KS(0.6), singles_neg(singles_mul(_s161, _s87))), singles_mul(_c6, singles_neg(singles_add(singles_mul(_s157, _s68), singles_mul(_s159, _s87))))));
-    const S _s164 = singles_sub(singles_mul(KS(0.6), singles_sub(singles_add(singles_mul(_s19, _s88), singles_mul(_s16, _s86)), singles_mul(_s161, _s89))), singles_mul(_c6, singles_sub(singles_sub(singles_add(singles_mul(_s140, _s70), singles_mul(_s142, _s67)), singles_mul(_s157, _s71)), singles_mul(_s159, _s89))));
-    const S _s165 = singles_mul(_c6, singles_sub(singles_sub(singles_add(singles_add(singles_mul(_s145, _s73), singles_mul(_s147, _s70)), singles_mul(_s148, _s67)), singles_mul(_s157, _s74)), singles_mul(_s159, _s91)));
-    const S _s166 = singles_sub(singles_mul(KS(0.6), singles_sub(singles_add(singles_add(singles_mul(_s29, _s90), singles_mul(_s25, _s88)), singles_mul(_s27, _s86)), singles_mul(_s161, _s91))), _s165);
-    const S _s167 = singles_abs(singles_sub(singles_mul(KS(0.6), singles_sub(_s86, singles_mul(_s161, _s92))), singles_mul(_c6, singles_neg(singles_add(singles_mul(_s157, _s76), singles_mul(_s159, _s92))))));
-    const S _s168 = singles_abs(singles_sub(singles_mul(KS(0.6), singles_sub(_s88, singles_mul(_s161, _s93))), singles_mul(_c6, singles_sub(singles_sub(singles_mul(_c8, _s73), singles_mul(_s157, _s78)), singles_mul(_s159, _s93)))));
-    const S _s169 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, _s163), singles_mul(place_s, singles_abs(_s164))), singles_mul(place_e, singles_abs(_s166))), singles_mul(pace_n, _s167)), singles_mul(pace_s, _s168));
-    const S _s170 = singles_sub(singles_mul(KS(0.6), singles_sub(_s90, singles_mul(_s161, _s95))), singles_mul(_c6, singles_sub(singles_sub(singles_neg(singles_mul(_c8, _s70)), singles_mul(_s157, _s81)), singles_mul(_s159, _s95))));
-    const S _s171 = singles_add(singles_add(singles_add(_s169, singles_mul(pace_e, singles_abs(_s170))), singles_mul(turn_n, singles_abs(singles_neg(singles_mul(_c6, _s67))))), singles_mul(turn_z, singles_abs(singles_neg(singles_mul(_c6, _s73)))));
-    const S _s172 = singles_add(singles_add(singles_add(singles_mul(_c6, _s160), singles_mul(KS(0.6), _s162)), _s136), singles_add(_s171, singles_mul(turn_z, singles_abs(singles_neg(singles_mul(_c6, _s70))))));
-    const S _s173 = singles_select(_s55, singles_mul(KS(1.0009765625), _s172), KS(INFINITY));
-    const S _s174 = singles_neg(singles_mul(bend_s, _s128));
-    const S _s175 = singles_mul(_s99, _s158);
-    const S _s176 = singles_add(singles_mul(singles_abs(_s174), _s63), singles_mul(singles_abs(_s175), _s85));
-    const S _s177 = singles_add(singles_mul(_c8, _s44), _s104);
-    const S _s178 = singles_add(singles_add(singles_add(singles_mul(_c8, singles_add(_s109, _s114)), singles_mul(_s48, singles_add(singles_mul(KS(2.0), spin_bound), singles_mul(_c9, _s43)))), singles_mul(_s111, singles_add(spin_bound, _s104))), singles_mul(_s110, _s177));
-    const S _s179 = singles_add(singles_add(_s178, singles_mul(_s112, singles_add(singles_mul(_c9, _s44), singles_mul(KS(2.0), _s104)))), singles_mul(KS(3.814697265625e-06), singles_add(spin_bound, singles_mul(_s48, _s104))));
-    const S _s180 = singles_mul(place_s, singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s140, _s21), singles_mul(_s142, _s8)), singles_mul(_s174, _s71)), singles_mul(_s175, _s89))));
-    const S _s181 = singles_add(singles_mul(place_n, singles_abs(singles_neg(singles_add(singles_mul(_s174, _s68), singles_mul(_s175, _s87))))), _s180);
-    const S _s182 = singles_abs(singles_sub(singles_sub(singles_add(singles_add(singles_mul(_s145, _s31), singles_mul(_s147, _s21)), singles_mul(_s148, _s8)), singles_mul(_s174, _s74)), singles_mul(_s175, _s91)));
-    const S _s183 = singles_add(singles_add(_s181, singles_mul(place_e, _s182)), singles_mul(pace_n, singles_abs(singles_neg(singles_add(singles_mul(_s174, _s76), singles_mul(_s175, _s92))))));
-    const S _s184 = singles_add(_s183, singles_mul(pace_s, singles_abs(singles_sub(singles_sub(singles_mul(_c8, _s31), singles_mul(_s174, _s78)), singles_mul(_s175, _s93)))));
-    const S _s185 = singles_mul(pace_e, singles_abs(singles_sub(singles_sub(singles_neg(singles_mul(_c8, _s21)), singles_mul(_s174, _s81)), singles_mul(_s175, _s95))));
-    const S _s186 = singles_add(singles_add(singles_add(singles_add(singles_mul(_c8, _s108), singles_mul(KS(2.0), singles_mul(_s103, _s104))), _s176), _s179), singles_add(singles_add(singles_add(singles_add(_s184, _s185), singles_mul(turn_n, singles_abs(_s8))), singles_mul(turn_z, singles_abs(_s31))), singles_mul(turn_z, singles_abs(_s21))));
-    const S _s187 = singles_select(_s55, singles_mul(KS(1.0009765625), _s186), KS(INFINITY));
-    const S _s188 = singles_add(singles_mul(_c8, singles_add(_s108, _s136)), singles_mul(KS(2.0), singles_mul(_s103, singles_add(singles_mul(_c9, singles_add(_s84, _s61)), _s104))));
-    const S _s189 = singles_max(_s101, _s135);
-    const S _s190 = singles_max(_s176, _s160);
-    const S _s191 = singles_mul(KS(1.0009765625), singles_add(singles_add(_s188, singles_add(singles_mul(_c8, singles_max(_s189, _s162)), singles_max(_s190, _s131))), _s179));
-    const S _s192 = singles_select(_s55, _s191, KS(INFINITY));
-    const S _s193 = singles_add(singles_mul(bend_s, _s82), singles_mul(bend_e, _s96));
-    const S _s194 = singles_add(_s156, _s173);
-    return (LANES(hoop_carry_impact_out)){ _s56, _s82, _s96, _s126, _s156, _s173, _s187, _s192, singles_mul(KS(1.0009765625), singles_add(singles_add(_s56, _s96), _s82)), singles_mul(KS(1.0009765625), singles_add(singles_add(singles_mul(_s107, _s193), _s194), _s126)), singles_mul(KS(1.0009765625), singles_add(singles_add(singles_add(singles_div(_s194, _c0), singles_mul(_s193, _s177)), singles_mul(KS(2.0), _s192)), _s187)), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_select(_s55, singles_mul(KS(1.0009765625), _s39), KS(INFINITY))) };
+    const S _s0 = singles_neg(singles_mul(_c2, nz));
+    const S _s1 = singles_abs(vx);
+    const S _s2 = singles_mul(KS(2.0), t);
+    const S _s3 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s2, _s1), singles_abs(x))));
+    const S _s4 = singles_abs(vy);
+    const S _s5 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s2, _s4), singles_abs(y))));
+    const S _s6 = singles_add(singles_add(singles_mul(_c3, singles_mul(t, t)), singles_mul(_s2, singles_abs(singles_add(vz, singles_mul(_c3, t))))), singles_abs(z));
+    const S _s7 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s6));
+    const S _s8 = singles_add(singles_add(singles_add(position_bound, singles_mul(t, velocity_bound)), singles_add(singles_add(_s3, _s5), _s7)), singles_max(root_offset, root_level));
+    const S _s9 = singles_add(singles_add(singles_mul(nx, left_nx), singles_mul(ny, left_ny)), singles_mul(nz, left_nz));
+    const S _s10 = singles_sub(_s9, back);
+    const S _s11 = singles_mul(left_nz, left_ey);
+    const S _s12 = singles_neg(singles_mul(left_nz, left_ex));
+    const S _s13 = singles_mul(_c2, t);
+    const S _s14 = singles_add(vz, _s13);
+    const S _s15 = singles_sub(singles_mul(left_ny, left_ex), singles_mul(left_nx, left_ey));
+    const S _s16 = singles_add(singles_add(singles_mul(vx, _s11), singles_mul(vy, _s12)), singles_mul(_s14, _s15));
+    const S _s17 = singles_neg(singles_mul(left_bend_s, _s16));
+    const S _s18 = singles_mul(t, _s17);
+    const S _s19 = singles_add(singles_add(singles_mul(vx, left_nx), singles_mul(vy, left_ny)), singles_mul(left_nz, _s14));
+    const S _s20 = singles_mul(left_bend_s, _s19);
+    const S _s21 = singles_add(KS(1.0), singles_mul(t, _s20));
+    const S _s22 = singles_add(singles_add(singles_mul(nx, _s11), singles_mul(ny, _s12)), singles_mul(nz, _s15));
+    const S _s23 = singles_add(singles_mul(_s18, _s9), singles_mul(_s21, _s22));
+    const S _s24 = singles_add(singles_mul(vx, left_ex), singles_mul(vy, left_ey));
+    const S _s25 = singles_mul(left_nz, left_bend_e);
+    const S _s26 = singles_neg(singles_mul(_s25, _s24));
+    const S _s27 = singles_mul(t, _s26);
+    const S _s28 = singles_mul(singles_mul(left_bend_e, _s24), _s15);
+    const S _s29 = singles_mul(t, _s28);
+    const S _s30 = singles_mul(left_bend_e, singles_sub(singles_mul(left_nz, _s16), singles_mul(_s15, _s19)));
+    const S _s31 = singles_add(KS(1.0), singles_mul(t, _s30));
+    const S _s32 = singles_add(singles_mul(nx, left_ex), singles_mul(ny, left_ey));
+    const S _s33 = singles_add(singles_add(singles_mul(_s27, _s22), singles_mul(_s29, _s9)), singles_mul(_s31, _s32));
+    const S _s34 = singles_mul(t, _s9);
+    const S _s35 = singles_mul(t, _s22);
+    const S _s36 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s10)), singles_mul(place_s, singles_abs(_s23))), singles_mul(place_e, singles_abs(_s33))), singles_mul(pace_n, singles_abs(_s34))), singles_mul(pace_s, singles_abs(_s35)));
+    const S _s37 = singles_mul(t, _s32);
+    const S _s38 = singles_mul(_s13, singles_add(singles_mul(place_s, left_bend_s), singles_mul(place_e, left_bend_e)));
+    const S _s39 = singles_mul(KS(1.9073486328125e-06), singles_add(singles_mul(t, _s38), _s8));
+    const S _s40 = singles_add(singles_add(singles_add(root_offset, singles_mul(singles_mul(KS(1.02), singles_mul(sharpest_bend, _s8)), _s8)), singles_add(_s36, singles_mul(pace_e, singles_abs(_s37)))), _s39);
+    const S _s41 = singles_abs(normal_velocity);
+    const S _s42 = singles_div(singles_mul(KS(1.1), _s40), _s41);
+    const S _s43 = singles_abs(vz);
+    const S _s44 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_add(singles_add(_s13, _s1), _s4), _s43)));
+    const S _s45 = singles_add(velocity_bound, _s44);
+    const S _s46 = singles_add(singles_mul(_c2, _s42), _s45);
+    const S _s47 = singles_add(singles_add(_s1, _s4), _s43);
+    const S _s48 = singles_add(_s46, _s47);
+    const S _s49 = singles_add(singles_mul(_s42, _s48), _s8);
+    const S _s50 = singles_mul(KS(1.02), sharpest_bend);
+    const S _s51 = singles_mul(_s50, _s49);
+    const S _s52 = singles_sub(singles_mul(KS(12.0), singles_add(singles_add(singles_mul(singles_abs(_s0), _s42), singles_mul(_s51, _s48)), _s45)), _s41);
+    const S _s53 = singles_sub(singles_mul(KS(100.0), singles_mul(sharpest_bend, _s49)), KS(1.0));
+    const S _s54 = singles_max(_s52, _s53);
+    const S _s55 = singles_add(singles_mul(_c3, singles_mul(_s42, _s42)), singles_mul(_s42, _s45));
+    const S _s56 = singles_div(singles_add(singles_mul(_s51, _s49), _s55), _s41);
+    const S _s57 = singles_add(singles_mul(_s56, _s47), _s55);
+    const S _s58 = singles_add(singles_add(root_level, _s57), singles_add(singles_add(singles_mul(singles_abs(nx), _s3), singles_mul(singles_abs(ny), _s5)), singles_mul(singles_abs(nz), _s7)));
+    const S _s59 = singles_mul(bend_s, _s58);
+    const S _s60 = singles_sub(singles_mul(KS(1048576.0), _s59), KS(1.0));
+    const Q _s61 = singles_at_most(singles_max(_s54, _s60), KS(0.0));
+    const S _s62 = singles_select(_s61, singles_mul(KS(1.0009765625), _s58), KS(INFINITY));
+    const S _s63 = singles_mul(nz, tangent_y);
+    const S _s64 = singles_neg(singles_mul(nz, tangent_x));
+    const S _s65 = singles_sub(singles_mul(ny, tangent_x), singles_mul(nx, tangent_y));
+    const S _s66 = singles_add(singles_add(singles_mul(vx, _s63), singles_mul(vy, _s64)), singles_mul(vz, _s65));
+    const S _s67 = singles_abs(_s66);
+    const S _s68 = singles_div(singles_add(root_offset, _s39), _s41);
+    const S _s69 = singles_add(singles_mul(_s67, _s68), singles_add(singles_add(singles_mul(singles_abs(_s64), _s5), singles_mul(singles_abs(_s63), _s3)), singles_mul(singles_abs(_s65), _s7)));
+    const S _s70 = singles_add(singles_add(_s57, singles_mul(KS(1.9073486328125e-06), _s49)), _s39);
+    const S _s71 = singles_div(KS(1.0), normal_velocity);
+    const S _s72 = singles_neg(singles_mul(_s71, _s10));
+    const S _s73 = singles_add(singles_add(singles_mul(left_nx, _s63), singles_mul(left_ny, _s64)), singles_mul(left_nz, _s65));
+    const S _s74 = singles_add(singles_mul(_s72, _s66), _s73);
+    const S _s75 = singles_neg(singles_mul(_s71, _s23));
+    const S _s76 = singles_add(singles_add(singles_mul(_s64, _s12), singles_mul(_s63, _s11)), singles_mul(_s65, _s15));
+    const S _s77 = singles_add(singles_mul(_s75, _s66), singles_add(singles_mul(_s18, _s73), singles_mul(_s21, _s76)));
+    const S _s78 = singles_neg(singles_mul(_s71, _s33));
+    const S _s79 = singles_add(singles_mul(left_ex, _s63), singles_mul(left_ey, _s64));
+    const S _s80 = singles_add(singles_mul(_s78, _s66), singles_add(singles_add(singles_mul(_s27, _s76), singles_mul(_s29, _s73)), singles_mul(_s31, _s79)));
+    const S _s81 = singles_neg(singles_mul(_s71, _s34));
+    const S _s82 = singles_add(singles_mul(_s81, _s66), singles_mul(t, _s73));
+    const S _s83 = singles_neg(singles_mul(_s71, _s35));
+    const S _s84 = singles_add(singles_mul(_s83, _s66), singles_mul(t, _s76));
+    const S _s85 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s74)), singles_mul(place_s, singles_abs(_s77))), singles_mul(place_e, singles_abs(_s80))), singles_mul(pace_n, singles_abs(_s82))), singles_mul(pace_s, singles_abs(_s84)));
+    const S _s86 = singles_neg(singles_mul(_s71, _s37));
+    const S _s87 = singles_add(singles_mul(_s86, _s66), singles_mul(t, _s79));
+    const S _s88 = singles_select(_s61, singles_mul(KS(1.0009765625), singles_add(singles_add(_s69, _s70), singles_add(_s85, singles_mul(pace_e, singles_abs(_s87))))), KS(INFINITY));
+    const S _s89 = singles_add(singles_mul(vx, tangent_x), singles_mul(vy, tangent_y));
+    const S _s90 = singles_abs(_s89);
+    const S _s91 = singles_add(singles_mul(_s90, _s68), singles_add(singles_add(singles_mul(_c4, _s7), singles_mul(singles_abs(tangent_x), _s3)), singles_mul(singles_abs(tangent_y), _s5)));
+    const S _s92 = singles_add(singles_mul(left_nx, tangent_x), singles_mul(left_ny, tangent_y));
+    const S _s93 = singles_add(singles_mul(_s72, _s89), _s92);
+    const S _s94 = singles_add(singles_mul(tangent_x, _s11), singles_mul(tangent_y, _s12));
+    const S _s95 = singles_add(singles_mul(_s75, _s89), singles_add(singles_mul(_s18, _s92), singles_mul(_s21, _s94)));
+    const S _s96 = singles_add(singles_mul(tangent_x, left_ex), singles_mul(tangent_y, left_ey));
+    const S _s97 = singles_add(singles_mul(_s78, _s89), singles_add(singles_add(singles_mul(_s27, _s94), singles_mul(_s29, _s92)), singles_mul(_s31, _s96)));
+    const S _s98 = singles_add(singles_mul(_s81, _s89), singles_mul(t, _s92));
+    const S _s99 = singles_add(singles_mul(_s83, _s89), singles_mul(t, _s94));
+    const S _s100 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s93)), singles_mul(place_s, singles_abs(_s95))), singles_mul(place_e, singles_abs(_s97))), singles_mul(pace_n, singles_abs(_s98))), singles_mul(pace_s, singles_abs(_s99)));
+    const S _s101 = singles_add(singles_mul(_s86, _s89), singles_mul(t, _s96));
+    const S _s102 = singles_select(_s61, singles_mul(KS(1.0009765625), singles_add(singles_add(_s91, _s70), singles_add(_s100, singles_mul(pace_e, singles_abs(_s101))))), KS(INFINITY));
+    const S _s103 = singles_add(singles_mul(_c2, _s68), _s44);
+    const S _s104 = singles_neg(singles_mul(bend_s, _s66));
+    const S _s105 = singles_mul(bend_e, _s65);
+    const S _s106 = singles_mul(_s105, _s89);
+    const S _s107 = singles_add(_s103, singles_add(singles_mul(singles_abs(_s104), _s69), singles_mul(singles_abs(_s106), _s91)));
+    const S _s108 = singles_add(normal_rounding, _s59);
+    const S _s109 = singles_add(singles_add(singles_abs(wx), singles_abs(wy)), singles_abs(wz));
+    const S _s110 = singles_mul(singles_mul(_c6, _s108), _s109);
+    const S _s111 = singles_mul(_c0, _s109);
+    const S _s112 = singles_add(_s111, _s47);
+    const S _s113 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.5543122344752192e-15), _s112));
+    const S _s114 = singles_mul(_c2, _s56);
+    const S _s115 = singles_mul(singles_add(bend_s, bend_e), _s70);
+    const S _s116 = singles_mul(_s51, _s51);
+    const S _s117 = singles_add(singles_mul(_s50, _s57), singles_mul(KS(2.0), _s116));
+    const S _s118 = singles_add(singles_add(singles_add(_s114, singles_mul(_s51, singles_add(singles_mul(spin_bound, _c6), singles_mul(_c7, _s46)))), singles_mul(_s115, _s112)), singles_mul(_s117, singles_add(singles_mul(_c6, _s109), singles_mul(_c7, _s47))));
+    const S _s119 = singles_mul(KS(1.9073486328125e-06), singles_add(singles_add(singles_mul(_c0, spin_bound), singles_mul(_s51, singles_add(_s111, singles_mul(KS(4.0), _s47)))), singles_mul(KS(2.0), singles_add(_s38, _s46))));
+    const S _s120 = singles_add(singles_add(_s118, singles_mul(singles_mul(_s116, _c5), _s48)), _s119);
+    const S _s121 = singles_add(singles_add(singles_mul(_c1, _s107), singles_mul(_c5, singles_add(singles_mul(normal_rounding, singles_add(_s47, _s41)), singles_mul(singles_mul(KS(2.0), _s59), _s41)))), singles_add(singles_add(_s110, _s113), _s120));
+    const S _s122 = singles_abs(singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_mul(_s0, _s72), singles_mul(_s104, _s74)), singles_mul(_s106, _s93)))));
+    const S _s123 = singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s0, _s75), singles_add(singles_mul(_s20, _s22), singles_mul(_s17, _s9))), singles_mul(_s104, _s77)), singles_mul(_s106, _s95)));
+    const S _s124 = singles_sub(singles_sub(singles_add(singles_mul(_s0, _s78), singles_add(singles_add(singles_mul(_s30, _s32), singles_mul(_s26, _s22)), singles_mul(_s28, _s9))), singles_mul(_s104, _s80)), singles_mul(_s106, _s97));
+    const S _s125 = singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s0, _s81), _s9), singles_mul(_s104, _s82)), singles_mul(_s106, _s98))));
+    const S _s126 = singles_add(singles_add(singles_add(singles_mul(place_n, _s122), singles_mul(place_s, singles_abs(singles_neg(_s123)))), singles_mul(place_e, singles_abs(singles_neg(singles_mul(_c1, _s124))))), singles_mul(pace_n, singles_abs(_s125)));
+    const S _s127 = singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s0, _s83), _s22), singles_mul(_s104, _s84)), singles_mul(_s106, _s99))));
+    const S _s128 = singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s0, _s86), _s32), singles_mul(_s104, _s87)), singles_mul(_s106, _s101))));
+    const S _s129 = singles_mul(KS(1.0009765625), singles_add(_s121, singles_add(singles_add(_s126, singles_mul(pace_s, singles_abs(_s127))), singles_mul(pace_e, singles_abs(_s128)))));
+    const S _s130 = singles_select(_s61, _s129, KS(INFINITY));
+    const S _s131 = singles_mul(_c4, _s69);
+    const S _s132 = singles_add(singles_add(singles_mul(wx, _s63), singles_mul(wy, _s64)), singles_mul(wz, _s65));
+    const S _s133 = singles_add(singles_add(singles_mul(nx, wx), singles_mul(ny, wy)), singles_mul(nz, wz));
+    const S _s134 = singles_mul(bend_e, singles_sub(singles_mul(nz, _s132), singles_mul(_s65, _s133)));
+    const S _s135 = singles_add(_s131, singles_mul(singles_abs(_s134), _s91));
+    const S _s136 = singles_mul(bend_s, normal_velocity);
+    const S _s137 = singles_mul(nz, bend_e);
+    const S _s138 = singles_neg(singles_mul(_s137, _s89));
+    const S _s139 = singles_add(_s103, singles_add(singles_mul(singles_abs(_s136), _s69), singles_mul(singles_abs(_s138), _s91)));
+    const S _s140 = singles_add(singles_add(singles_add(singles_mul(singles_mul(normal_rounding, _c5), _s41), _s110), _s113), _s120);
+    const S _s141 = singles_neg(singles_mul(_c2, _s65));
+    const S _s142 = singles_abs(singles_add(singles_mul(_c6, singles_neg(singles_mul(_s134, _s93))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_mul(_s141, _s72), singles_mul(_s136, _s74)), singles_mul(_s138, _s93)))));
+    const S _s143 = singles_add(singles_add(singles_mul(wx, left_nx), singles_mul(wy, left_ny)), singles_mul(wz, left_nz));
+    const S _s144 = singles_mul(left_bend_s, _s143);
+    const S _s145 = singles_add(singles_add(singles_mul(wx, _s11), singles_mul(wy, _s12)), singles_mul(wz, _s15));
+    const S _s146 = singles_neg(singles_mul(left_bend_s, _s145));
+    const S _s147 = singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s141, _s75), singles_add(singles_mul(_s20, _s76), singles_mul(_s17, _s73))), singles_mul(_s136, _s77)), singles_mul(_s138, _s95)));
+    const S _s148 = singles_abs(singles_add(singles_mul(_c6, singles_sub(singles_add(singles_mul(_s144, _s94), singles_mul(_s146, _s92)), singles_mul(_s134, _s95))), _s147));
+    const S _s149 = singles_mul(left_bend_e, singles_sub(singles_mul(left_nz, _s145), singles_mul(_s15, _s143)));
+    const S _s150 = singles_add(singles_mul(wx, left_ex), singles_mul(wy, left_ey));
+    const S _s151 = singles_neg(singles_mul(_s25, _s150));
+    const S _s152 = singles_mul(singles_mul(left_bend_e, _s150), _s15);
+    const S _s153 = singles_sub(singles_sub(singles_add(singles_mul(_s141, _s78), singles_add(singles_add(singles_mul(_s30, _s79), singles_mul(_s26, _s76)), singles_mul(_s28, _s73))), singles_mul(_s136, _s80)), singles_mul(_s138, _s97));
+    const S _s154 = singles_add(singles_mul(_c6, singles_sub(singles_add(singles_add(singles_mul(_s149, _s96), singles_mul(_s151, _s94)), singles_mul(_s152, _s92)), singles_mul(_s134, _s97))), singles_mul(KS(0.6), _s153));
+    const S _s155 = singles_add(singles_mul(_c6, singles_neg(singles_mul(_s134, _s98))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s141, _s81), _s73), singles_mul(_s136, _s82)), singles_mul(_s138, _s98))));
+    const S _s156 = singles_add(singles_mul(_c6, singles_sub(singles_mul(_c8, _s96), singles_mul(_s134, _s99))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s141, _s83), _s76), singles_mul(_s136, _s84)), singles_mul(_s138, _s99))));
+    const S _s157 = singles_add(singles_mul(_c6, singles_sub(singles_neg(singles_mul(_c8, _s94)), singles_mul(_s134, _s101))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s141, _s86), _s79), singles_mul(_s136, _s87)), singles_mul(_s138, _s101))));
+    const S _s158 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, _s142), singles_mul(place_s, _s148)), singles_mul(place_e, singles_abs(_s154))), singles_mul(pace_n, singles_abs(_s155))), singles_mul(pace_s, singles_abs(_s156))), singles_mul(pace_e, singles_abs(_s157)));
+    const S _s159 = singles_add(singles_add(singles_add(_s158, singles_mul(turn_n, singles_abs(singles_mul(_c6, _s92)))), singles_mul(turn_z, singles_abs(singles_mul(_c6, _s96)))), singles_mul(turn_z, singles_abs(singles_mul(_c6, _s94))));
+    const S _s160 = singles_select(_s61, singles_mul(KS(1.0009765625), singles_add(singles_add(singles_add(singles_mul(_c6, _s135), singles_mul(KS(0.6), _s139)), _s140), _s159)), KS(INFINITY));
+    const S _s161 = singles_mul(bend_s, _s133);
+    const S _s162 = singles_add(singles_mul(wx, tangent_x), singles_mul(wy, tangent_y));
+    const S _s163 = singles_neg(singles_mul(_s137, _s162));
+    const S _s164 = singles_add(singles_mul(singles_abs(_s161), _s69), singles_mul(singles_abs(_s163), _s91));
+    const S _s165 = singles_mul(bend_e, singles_sub(singles_mul(nz, _s66), singles_mul(normal_velocity, _s65)));
+    const S _s166 = singles_add(_s103, singles_add(_s131, singles_mul(singles_abs(_s165), _s91)));
+    const S _s167 = singles_abs(singles_sub(singles_mul(KS(0.6), singles_neg(singles_mul(_s165, _s93))), singles_mul(_c6, singles_neg(singles_add(singles_mul(_s161, _s74), singles_mul(_s163, _s93))))));
+    const S _s168 = singles_sub(singles_mul(KS(0.6), singles_sub(singles_add(singles_mul(_s20, _s94), singles_mul(_s17, _s92)), singles_mul(_s165, _s95))), singles_mul(_c6, singles_sub(singles_sub(singles_add(singles_mul(_s144, _s76), singles_mul(_s146, _s73)), singles_mul(_s161, _s77)), singles_mul(_s163, _s95))));
+    const S _s169 = singles_mul(_c6, singles_sub(singles_sub(singles_add(singles_add(singles_mul(_s149, _s79), singles_mul(_s151, _s76)), singles_mul(_s152, _s73)), singles_mul(_s161, _s80)), singles_mul(_s163, _s97)));
+    const S _s170 = singles_sub(singles_mul(KS(0.6), singles_sub(singles_add(singles_add(singles_mul(_s30, _s96), singles_mul(_s26, _s94)), singles_mul(_s28, _s92)), singles_mul(_s165, _s97))), _s169);
+    const S _s171 = singles_abs(singles_sub(singles_mul(KS(0.6), singles_sub(_s92, singles_mul(_s165, _s98))), singles_mul(_c6, singles_neg(singles_add(singles_mul(_s161, _s82), singles_mul(_s163, _s98))))));
+    const S _s172 = singles_abs(singles_sub(singles_mul(KS(0.6), singles_sub(_s94, singles_mul(_s165, _s99))), singles_mul(_c6, singles_sub(singles_sub(singles_mul(_c8, _s79), singles_mul(_s161, _s84)), singles_mul(_s163, _s99)))));
+    const S _s173 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, _s167), singles_mul(place_s, singles_abs(_s168))), singles_mul(place_e, singles_abs(_s170))), singles_mul(pace_n, _s171)), singles_mul(pace_s, _s172));
+    const S _s174 = singles_sub(singles_mul(KS(0.6), singles_sub(_s96, singles_mul(_s165, _s101))), singles_mul(_c6, singles_sub(singles_sub(singles_neg(singles_mul(_c8, _s76)), singles_mul(_s161, _s87)), singles_mul(_s163, _s101))));
+    const S _s175 = singles_add(singles_add(singles_add(_s173, singles_mul(pace_e, singles_abs(_s174))), singles_mul(turn_n, singles_abs(singles_neg(singles_mul(_c6, _s73))))), singles_mul(turn_z, singles_abs(singles_neg(singles_mul(_c6, _s79)))));
+    const S _s176 = singles_add(singles_add(singles_add(singles_mul(_c6, _s164), singles_mul(KS(0.6), _s166)), _s140), singles_add(_s175, singles_mul(turn_z, singles_abs(singles_neg(singles_mul(_c6, _s76))))));
+    const S _s177 = singles_select(_s61, singles_mul(KS(1.0009765625), _s176), KS(INFINITY));
+    const S _s178 = singles_neg(singles_mul(bend_s, _s132));
+    const S _s179 = singles_mul(_s105, _s162);
+    const S _s180 = singles_add(singles_mul(singles_abs(_s178), _s69), singles_mul(singles_abs(_s179), _s91));
+    const S _s181 = singles_add(singles_mul(_c8, _s47), _s109);
+    const S _s182 = singles_add(singles_add(singles_add(singles_mul(_c8, singles_add(_s114, _s119)), singles_mul(_s51, singles_add(singles_mul(KS(2.0), spin_bound), singles_mul(_c9, _s46)))), singles_mul(_s116, singles_add(spin_bound, _s109))), singles_mul(_s115, _s181));
+    const S _s183 = singles_add(singles_add(_s182, singles_mul(_s117, singles_add(singles_mul(_c9, _s47), singles_mul(KS(2.0), _s109)))), singles_mul(KS(1.9073486328125e-06), singles_add(spin_bound, singles_mul(_s51, _s109))));
+    const S _s184 = singles_add(singles_add(singles_add(singles_add(singles_mul(_c8, _s113), singles_mul(KS(2.0), singles_mul(_s108, _s109))), singles_mul(KS(0.6), singles_mul(singles_mul(normal_rounding, _c8), _s47))), _s180), _s183);
+    const S _s185 = singles_mul(place_s, singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s144, _s22), singles_mul(_s146, _s9)), singles_mul(_s178, _s77)), singles_mul(_s179, _s95))));
+    const S _s186 = singles_add(singles_mul(place_n, singles_abs(singles_neg(singles_add(singles_mul(_s178, _s74), singles_mul(_s179, _s93))))), _s185);
+    const S _s187 = singles_abs(singles_sub(singles_sub(singles_add(singles_add(singles_mul(_s149, _s32), singles_mul(_s151, _s22)), singles_mul(_s152, _s9)), singles_mul(_s178, _s80)), singles_mul(_s179, _s97)));
+    const S _s188 = singles_add(singles_add(_s186, singles_mul(place_e, _s187)), singles_mul(pace_n, singles_abs(singles_neg(singles_add(singles_mul(_s178, _s82), singles_mul(_s179, _s98))))));
+    const S _s189 = singles_add(_s188, singles_mul(pace_s, singles_abs(singles_sub(singles_sub(singles_mul(_c8, _s32), singles_mul(_s178, _s84)), singles_mul(_s179, _s99)))));
+    const S _s190 = singles_mul(pace_e, singles_abs(singles_sub(singles_sub(singles_neg(singles_mul(_c8, _s22)), singles_mul(_s178, _s87)), singles_mul(_s179, _s101))));
+    const S _s191 = singles_add(_s184, singles_add(singles_add(singles_add(singles_add(_s189, _s190), singles_mul(turn_n, singles_abs(_s9))), singles_mul(turn_z, singles_abs(_s32))), singles_mul(turn_z, singles_abs(_s22))));
+    const S _s192 = singles_select(_s61, singles_mul(KS(1.0009765625), _s191), KS(INFINITY));
+    const S _s193 = singles_add(singles_mul(_c8, singles_add(_s113, _s140)), singles_mul(KS(2.0), singles_mul(_s108, singles_add(singles_mul(_c9, singles_add(_s90, _s67)), _s109))));
+    const S _s194 = singles_max(_s107, _s139);
+    const S _s195 = singles_max(_s180, _s164);
+    const S _s196 = singles_mul(KS(1.0009765625), singles_add(singles_add(_s193, singles_add(singles_mul(_c8, singles_max(_s194, _s166)), singles_max(_s195, _s135))), _s183));
+    const S _s197 = singles_select(_s61, _s196, KS(INFINITY));
+    const S _s198 = singles_add(singles_mul(bend_s, _s88), singles_mul(bend_e, _s102));
+    const S _s199 = singles_add(_s160, _s177);
+    const S _s200 = singles_select(_s61, singles_mul(KS(1.0009765625), singles_add(singles_add(singles_add(singles_div(_s199, _c0), singles_mul(_s198, _s181)), singles_mul(KS(2.0), _s197)), _s192)), KS(INFINITY));
+    return (LANES(hoop_carry_impact_out)){ _s62, _s88, _s102, _s130, _s160, _s177, _s192, _s197, singles_select(_s61, singles_mul(KS(1.0009765625), singles_add(singles_add(_s62, _s102), _s88)), KS(INFINITY)), singles_select(_s61, singles_mul(KS(1.0009765625), singles_add(singles_add(singles_mul(_s112, _s198), _s199), _s130)), KS(INFINITY)), _s200, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_select(_s61, singles_mul(KS(1.0009765625), _s42), KS(INFINITY))) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1205,7 +1235,7 @@ LANES(hoop_ring_normal)(V x, V y, V z, V _c0, V _c1)
 }
 
 /* Tangent and curvatures at a contact, and bounds on the roundings there.
-   Table 2, running error analysis. 101 operations: 33 additions, 36 multiplications, 4 divisions, 1 square root, 1 negation, 10 absolute values, 7 comparisons, 9 selections. */
+   Table 2, running error analysis. 105 operations: 34 additions, 38 multiplications, 4 divisions, 1 square root, 1 negation, 11 absolute values, 7 comparisons, 9 selections. */
 typedef struct {
     S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
 } LANES(hoop_ring_tangents_out);
@@ -1221,25 +1251,26 @@ LANES(hoop_ring_tangents)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz
     const S _s5 = singles_abs(vy);
     const S _s6 = singles_abs(vz);
     const S _s7 = singles_div(singles_mul(t, singles_add(singles_mul(KS(2.0), singles_add(_c5, singles_max(KS(0.0), _s3))), singles_add(singles_add(singles_add(_s2, _s4), _s5), _s6))), _c3);
-    const S _s8 = singles_mul(t, t);
-    const S _s9 = singles_add(singles_mul(_c0, _s8), singles_mul(t, singles_add(singles_add(_s4, _s5), _s6)));
-    const S _s10 = singles_mul(KS(2.0), t);
-    const S _s11 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s10, _s4), singles_abs(x))));
-    const S _s12 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s10, _s5), singles_abs(y))));
-    const S _s13 = singles_add(singles_add(singles_mul(_c6, _s8), singles_mul(_s10, singles_abs(singles_add(vz, singles_mul(_c6, t))))), singles_abs(z));
-    const S _s14 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s13));
-    const S _s15 = singles_add(singles_div(singles_mul(singles_mul(KS(1.5), _s9), singles_add(singles_add(_s11, _s12), _s14)), _c3), singles_mul(_c7, _s9));
-    const S _s16 = singles_mul(KS(1.125), _s15);
-    const S _s17 = singles_mul(KS(1.7763568394002505e-15), singles_mul(singles_div(singles_mul(normal_velocity, normal_velocity), singles_add(singles_add(singles_mul(vx, vx), singles_mul(vy, vy)), singles_mul(vz, vz))), _c1));
-    const S _s18 = singles_add(singles_add(KS(7.888609052210118e-31), _s15), singles_max(_s16, _s17));
-    const S _s19 = singles_add(singles_mul(KS(1.1102230246251565e-16), singles_add(_c8, singles_mul(KS(2.0), _s0))), singles_add(singles_add(singles_mul(singles_abs(nx), _s11), singles_mul(singles_abs(ny), _s12)), singles_mul(singles_abs(nz), _s14)));
-    const S _s20 = singles_mul(KS(1.125), _s19);
-    const S _s21 = singles_add(singles_add(KS(7.888609052210118e-31), _s19), singles_max(_s20, _s17));
-    const S _s22 = singles_add(place_n, _s21);
-    const Q _s23 = singles_at_most(singles_mul(KS(4.0), _s7), KS(1.0));
-    const Q _s24 = singles_less(KS(0.0), back);
-    const S _s25 = singles_add(place_n, _s18);
-    return (LANES(hoop_ring_tangents_out)){ singles_neg(singles_mul(y, _s1)), singles_mul(x, _s1), _c2, _s1, _c4, singles_select(_s24, singles_select(_s23, _s18, singles_max(_s18, _s22)), _s21), singles_select(_s24, singles_select(_s23, _s25, singles_max(_s25, _s21)), _s21), _c9 };
+    const S _s8 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_mul(t, singles_abs(normal_velocity))));
+    const S _s9 = singles_mul(t, t);
+    const S _s10 = singles_add(singles_mul(_c0, _s9), singles_mul(t, singles_add(singles_add(_s4, _s5), _s6)));
+    const S _s11 = singles_mul(KS(2.0), t);
+    const S _s12 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s11, _s4), singles_abs(x))));
+    const S _s13 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s11, _s5), singles_abs(y))));
+    const S _s14 = singles_add(singles_add(singles_mul(_c6, _s9), singles_mul(_s11, singles_abs(singles_add(vz, singles_mul(_c6, t))))), singles_abs(z));
+    const S _s15 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s14));
+    const S _s16 = singles_add(singles_div(singles_mul(singles_mul(KS(1.5), _s10), singles_add(singles_add(_s12, _s13), _s15)), _c3), singles_mul(_c7, _s10));
+    const S _s17 = singles_mul(KS(1.125), _s16);
+    const S _s18 = singles_mul(KS(1.7763568394002505e-15), singles_mul(singles_div(singles_mul(normal_velocity, normal_velocity), singles_add(singles_add(singles_mul(vx, vx), singles_mul(vy, vy)), singles_mul(vz, vz))), _c1));
+    const S _s19 = singles_add(singles_add(_s8, _s16), singles_max(_s17, _s18));
+    const S _s20 = singles_add(singles_mul(KS(1.1102230246251565e-16), singles_add(_c8, singles_mul(KS(2.0), _s0))), singles_add(singles_add(singles_mul(singles_abs(nx), _s12), singles_mul(singles_abs(ny), _s13)), singles_mul(singles_abs(nz), _s15)));
+    const S _s21 = singles_mul(KS(1.125), _s20);
+    const S _s22 = singles_add(singles_add(_s8, _s20), singles_max(_s21, _s18));
+    const S _s23 = singles_add(place_n, _s22);
+    const Q _s24 = singles_at_most(singles_mul(KS(4.0), _s7), KS(1.0));
+    const Q _s25 = singles_less(KS(0.0), back);
+    const S _s26 = singles_add(place_n, _s19);
+    return (LANES(hoop_ring_tangents_out)){ singles_neg(singles_mul(y, _s1)), singles_mul(x, _s1), _c2, _s1, _c4, singles_select(_s25, singles_select(_s24, _s19, singles_max(_s19, _s23)), _s22), singles_select(_s25, singles_select(_s24, _s26, singles_max(_s26, _s22)), _s22), _c9 };
 }
 
 /* Positive if errors of the state exceed those that a search allows for.

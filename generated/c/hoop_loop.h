@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene hoop, derivation 863acc6ac95c3dee,
+   Generated from templates/c/loop.h.j2, scene hoop, derivation a97eb2c9622d3ff5,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -2097,6 +2097,10 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     EACH(SELECT, (_if_touches_1, _impact_1), vx, vy, vz, wx, wy, wz)
                 }
 #if BOUNDED
+                CALL(hoop_unbounded, _unbounded_1)(clock_error, position_bound, velocity_bound, spin_bound);
+                EACH(GET_MASK, _unbounded_1, unbounded)
+                CALL(hoop_without_bounds, _without_bounds_1)(unbounded, uncertain);
+                EACH(SELECT, (_if_meeting_1, _without_bounds_1), uncertain)
                 CALL(hoop_here, _here_8)(K(1.0), which);
                 EACH(SET, _here_8, here)
                 const M _if_here_8 = lanes_both(_if_meeting_1, here);

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation 863acc6ac95c3dee,
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation a97eb2c9622d3ff5,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -201,8 +201,19 @@ static __device__ __forceinline__ kernel_carry_end_out kernel_carry_end(float t,
     const float _s10 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((((p_gravity * t) + _s0) + _s2) + _s9));
     const float _s11 = (p_gravity * _s8) + (velocity_bound + _s10);
     const float _s12 = ((float)1.0009765625) * ((_s8 * (_s11 + ((_s0 + _s2) + _s9))) + _s6);
-    const bool _s13 = ((((float)11.0) * _s11) - _s7) <= ((float)0.0);
+    const bool _s13 = ((((float)12.0) * _s11) - _s7) <= ((float)0.0);
     return {choose(_s13, _s12, ((float)INFINITE)), choose(_s13, (((float)1.0009765625) * _s11), ((float)INFINITE)), choose(_s13, (((float)1.0009765625) * spin_bound), ((float)INFINITE)), (((float)4.440892098500626e-16) * (t + clock)) + choose(_s13, (((float)1.0009765625) * _s8), ((float)INFINITE))};
+}
+
+/* Whether a bound on an error is not finite.
+   comparison. 8 operations: 4 comparisons, 3 conjunctions, 1 complement. */
+struct kernel_unbounded_out {
+    bool unbounded;
+};
+
+static __device__ __forceinline__ kernel_unbounded_out kernel_unbounded(float clock_error, float position_bound, float velocity_bound, float spin_bound)
+{
+    return {!((((position_bound < ((float)INFINITE)) && (velocity_bound < ((float)INFINITE))) && (spin_bound < ((float)INFINITE))) && (clock_error < ((float)INFINITE)))};
 }
 
 /* Bounds on the errors at the time limit.
@@ -814,6 +825,17 @@ static __device__ __forceinline__ kernel_counted_out kernel_counted(double count
     return {1.0 + count};
 }
 
+/* 1 if a bound on an error is not finite.
+   Table 1. 1 operation: 1 selection. */
+struct kernel_without_bounds_out {
+    double uncertain;
+};
+
+static __device__ __forceinline__ kernel_without_bounds_out kernel_without_bounds(bool unbounded, double uncertain)
+{
+    return {choose(unbounded, 1.0, uncertain)};
+}
+
 /* 1 if the flight began on the surface that the ball meets.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 struct kernel_came_back_out {
@@ -999,216 +1021,222 @@ static __device__ __forceinline__ kernel_impact_out kernel_impact(double vx, dou
 }
 
 /* Bounds on errors after a contact, from those at the departure before it.
-   derivative of the frame-free Eq. 17, with roundings. 938 operations: 260 additions, 64 subtractions, 468 multiplications, 6 divisions, 37 negations, 83 absolute values, 6 comparisons, 14 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 962 operations: 266 additions, 65 subtractions, 477 multiplications, 6 divisions, 37 negations, 84 absolute values, 8 comparisons, 19 selections. */
 struct kernel_carry_impact_out {
     float place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay;
 };
 
 static __device__ __forceinline__ kernel_carry_impact_out kernel_carry_impact(float t, float x, float y, float z, float vx, float vy, float vz, float wx, float wy, float wz, float nx, float ny, float nz, float clock, float left_nx, float left_ny, float left_nz, float place_n, float place_s, float place_e, float pace_n, float pace_s, float pace_e, float turn_n, float turn_z, float position_bound, float velocity_bound, float spin_bound, float tangent_x, float tangent_y, float bend_s, float bend_e, float left_ex, float left_ey, float left_bend_s, float left_bend_e, float sharpest_bend, float root_offset, float root_level, float normal_rounding, float normal_velocity, float back, float p_ball_radius, float p_restitution, float p_gravity)
 {
-    const float _s0 = fabsf(vx);
-    const float _s1 = ((float)2.0) * t;
-    const float _s2 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s1 * _s0) + fabsf(x)));
-    const float _s3 = fabsf(vy);
-    const float _s4 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s1 * _s3) + fabsf(y)));
-    const float _s5 = ((float)0.5) * p_gravity;
-    const float _s6 = ((_s5 * (t * t)) + (_s1 * fabsf((vz + (_s5 * t))))) + fabsf(z);
-    const float _s7 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s6);
-    const float _s8 = ((position_bound + root_offset) + (t * velocity_bound)) + ((_s2 + _s4) + _s7);
-    const float _s9 = ((nx * left_nx) + (ny * left_ny)) + (nz * left_nz);
-    const float _s10 = _s9 - back;
-    const float _s11 = left_nz * left_ey;
-    const float _s12 = -(left_nz * left_ex);
-    const float _s13 = p_gravity * t;
-    const float _s14 = vz + _s13;
-    const float _s15 = (left_ny * left_ex) - (left_nx * left_ey);
-    const float _s16 = ((vx * _s11) + (vy * _s12)) + (_s14 * _s15);
-    const float _s17 = -(left_bend_s * _s16);
-    const float _s18 = t * _s17;
-    const float _s19 = ((vx * left_nx) + (vy * left_ny)) + (left_nz * _s14);
-    const float _s20 = left_bend_s * _s19;
-    const float _s21 = ((float)1.0) + (t * _s20);
-    const float _s22 = ((nx * _s11) + (ny * _s12)) + (nz * _s15);
-    const float _s23 = (_s18 * _s9) + (_s21 * _s22);
-    const float _s24 = (vx * left_ex) + (vy * left_ey);
-    const float _s25 = left_nz * left_bend_e;
-    const float _s26 = -(_s25 * _s24);
-    const float _s27 = t * _s26;
-    const float _s28 = (left_bend_e * _s24) * _s15;
-    const float _s29 = t * _s28;
-    const float _s30 = left_bend_e * ((left_nz * _s16) - (_s15 * _s19));
-    const float _s31 = ((float)1.0) + (t * _s30);
-    const float _s32 = (nx * left_ex) + (ny * left_ey);
-    const float _s33 = ((_s27 * _s22) + (_s29 * _s9)) + (_s31 * _s32);
-    const float _s34 = t * _s9;
-    const float _s35 = t * _s22;
-    const float _s36 = ((((place_n * fabsf(_s10)) + (place_s * fabsf(_s23))) + (place_e * fabsf(_s33))) + (pace_n * fabsf(_s34))) + (pace_s * fabsf(_s35));
-    const float _s37 = t * _s32;
-    const float _s38 = fabsf(normal_velocity);
-    const float _s39 = ((float)1.1) * ((root_offset + ((((float)3.814697265625e-06) + (sharpest_bend * _s8)) * _s8)) + (_s36 + (pace_e * fabsf(_s37))));
-    const float _s40 = _s39 / _s38;
-    const float _s41 = fabsf(vz);
-    const float _s42 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (((_s13 + _s0) + _s3) + _s41));
-    const float _s43 = velocity_bound + _s42;
-    const float _s44 = (p_gravity * _s40) + _s43;
-    const float _s45 = (_s0 + _s3) + _s41;
-    const float _s46 = _s44 + _s45;
-    const float _s47 = (_s40 * _s46) + _s8;
-    const float _s48 = ((float)1.02) * sharpest_bend;
-    const float _s49 = _s48 * _s47;
-    const float _s50 = (((float)11.0) * ((_s49 * _s46) + _s44)) - _s38;
-    const float _s51 = (((float)100.0) * (sharpest_bend * _s47)) - ((float)1.0);
-    const float _s52 = (_s5 * (_s40 * _s40)) + (_s40 * _s43);
-    const float _s53 = ((((float)0.51) * (_s49 * _s47)) + _s52) / _s38;
-    const float _s54 = (_s53 * _s45) + _s52;
-    const float _s55 = (root_level + _s54) + (((fabsf(nx) * _s2) + (fabsf(ny) * _s4)) + (fabsf(nz) * _s7));
-    const bool _s56 = larger(_s50, _s51) <= ((float)0.0);
-    const float _s57 = choose(_s56, (((float)1.0009765625) * _s55), ((float)INFINITE));
-    const float _s58 = nz * tangent_y;
-    const float _s59 = -(nz * tangent_x);
-    const float _s60 = (ny * tangent_x) - (nx * tangent_y);
-    const float _s61 = ((vx * _s58) + (vy * _s59)) + (vz * _s60);
-    const float _s62 = fabsf(_s61);
-    const float _s63 = (root_offset + (((float)3.814697265625e-06) * _s8)) / _s38;
-    const float _s64 = (_s62 * _s63) + (((fabsf(_s59) * _s4) + (fabsf(_s58) * _s2)) + (fabsf(_s60) * _s7));
-    const float _s65 = _s54 + (((float)3.814697265625e-06) * _s47);
-    const float _s66 = ((float)1.0) / normal_velocity;
-    const float _s67 = -(_s66 * _s10);
-    const float _s68 = ((left_nx * _s58) + (left_ny * _s59)) + (left_nz * _s60);
-    const float _s69 = (_s67 * _s61) + _s68;
-    const float _s70 = -(_s66 * _s23);
-    const float _s71 = ((_s59 * _s12) + (_s58 * _s11)) + (_s60 * _s15);
-    const float _s72 = (_s70 * _s61) + ((_s18 * _s68) + (_s21 * _s71));
-    const float _s73 = -(_s66 * _s33);
-    const float _s74 = (left_ex * _s58) + (left_ey * _s59);
-    const float _s75 = (_s73 * _s61) + (((_s27 * _s71) + (_s29 * _s68)) + (_s31 * _s74));
-    const float _s76 = -(_s66 * _s34);
-    const float _s77 = (_s76 * _s61) + (t * _s68);
-    const float _s78 = -(_s66 * _s35);
-    const float _s79 = (_s78 * _s61) + (t * _s71);
-    const float _s80 = ((((place_n * fabsf(_s69)) + (place_s * fabsf(_s72))) + (place_e * fabsf(_s75))) + (pace_n * fabsf(_s77))) + (pace_s * fabsf(_s79));
-    const float _s81 = -(_s66 * _s37);
-    const float _s82 = (_s81 * _s61) + (t * _s74);
-    const float _s83 = choose(_s56, (((float)1.0009765625) * ((_s64 + _s65) + (_s80 + (pace_e * fabsf(_s82))))), ((float)INFINITE));
-    const float _s84 = (vx * tangent_x) + (vy * tangent_y);
-    const float _s85 = fabsf(_s84);
-    const float _s86 = fabsf(((float)0.0));
-    const float _s87 = (_s85 * _s63) + (((_s86 * _s7) + (fabsf(tangent_x) * _s2)) + (fabsf(tangent_y) * _s4));
-    const float _s88 = (left_nx * tangent_x) + (left_ny * tangent_y);
-    const float _s89 = (_s67 * _s84) + _s88;
-    const float _s90 = (tangent_x * _s11) + (tangent_y * _s12);
-    const float _s91 = (_s70 * _s84) + ((_s18 * _s88) + (_s21 * _s90));
-    const float _s92 = (tangent_x * left_ex) + (tangent_y * left_ey);
-    const float _s93 = (_s73 * _s84) + (((_s27 * _s90) + (_s29 * _s88)) + (_s31 * _s92));
-    const float _s94 = (_s76 * _s84) + (t * _s88);
-    const float _s95 = (_s78 * _s84) + (t * _s90);
-    const float _s96 = ((((place_n * fabsf(_s89)) + (place_s * fabsf(_s91))) + (place_e * fabsf(_s93))) + (pace_n * fabsf(_s94))) + (pace_s * fabsf(_s95));
-    const float _s97 = (_s81 * _s84) + (t * _s92);
-    const float _s98 = choose(_s56, (((float)1.0009765625) * ((_s87 + _s65) + (_s96 + (pace_e * fabsf(_s97))))), ((float)INFINITE));
-    const float _s99 = (p_gravity * _s63) + _s42;
-    const float _s100 = -(bend_s * _s61);
-    const float _s101 = bend_e * _s60;
-    const float _s102 = _s101 * _s84;
-    const float _s103 = _s99 + ((fabsf(_s100) * _s64) + (fabsf(_s102) * _s87));
-    const float _s104 = ((float)0.6) + p_restitution;
-    const float _s105 = bend_s * _s55;
-    const float _s106 = ((float)0.4) * p_ball_radius;
-    const float _s107 = normal_rounding + _s105;
-    const float _s108 = (fabsf(wx) + fabsf(wy)) + fabsf(wz);
-    const float _s109 = (_s106 * _s107) * _s108;
-    const float _s110 = p_ball_radius * _s108;
-    const float _s111 = _s110 + _s45;
-    const float _s112 = ((float)7.888609052210118e-31) + (((float)1.5543122344752192e-15) * _s111);
-    const float _s113 = p_gravity * _s53;
-    const float _s114 = ((float)2.0) * _s104;
-    const float _s115 = (bend_s + bend_e) * _s65;
-    const float _s116 = _s49 * _s49;
-    const float _s117 = (_s48 * _s54) + (((float)2.0) * _s116);
-    const float _s118 = ((_s113 + (_s49 * ((spin_bound * _s106) + (_s114 * _s44)))) + (_s115 * _s111)) + (_s117 * ((_s106 * _s108) + (_s114 * _s45)));
-    const float _s119 = ((float)3.814697265625e-06) * (((p_ball_radius * spin_bound) + (_s49 * (_s110 + (((float)4.0) * _s45)))) + (((float)2.0) * _s44));
-    const float _s120 = (_s118 + ((_s116 * _s104) * _s46)) + _s119;
-    const float _s121 = ((p_restitution * _s103) + (_s104 * ((normal_rounding * (_s45 + _s38)) + ((((float)2.0) * _s105) * _s38)))) + ((_s109 + _s112) + _s120);
-    const float _s122 = -(p_gravity * nz);
-    const float _s123 = fabsf((-(p_restitution * (((_s122 * _s67) - (_s100 * _s69)) - (_s102 * _s89)))));
-    const float _s124 = p_restitution * ((((_s122 * _s70) + ((_s20 * _s22) + (_s17 * _s9))) - (_s100 * _s72)) - (_s102 * _s91));
-    const float _s125 = (((_s122 * _s73) + (((_s30 * _s32) + (_s26 * _s22)) + (_s28 * _s9))) - (_s100 * _s75)) - (_s102 * _s93);
-    const float _s126 = -(p_restitution * ((((_s122 * _s76) + _s9) - (_s100 * _s77)) - (_s102 * _s94)));
-    const float _s127 = (((place_n * _s123) + (place_s * fabsf((-_s124)))) + (place_e * fabsf((-(p_restitution * _s125))))) + (pace_n * fabsf(_s126));
-    const float _s128 = -(p_restitution * ((((_s122 * _s78) + _s22) - (_s100 * _s79)) - (_s102 * _s95)));
-    const float _s129 = -(p_restitution * ((((_s122 * _s81) + _s32) - (_s100 * _s82)) - (_s102 * _s97)));
-    const float _s130 = ((float)1.0009765625) * (_s121 + ((_s127 + (pace_s * fabsf(_s128))) + (pace_e * fabsf(_s129))));
-    const float _s131 = choose(_s56, _s130, ((float)INFINITE));
-    const float _s132 = _s86 * _s64;
-    const float _s133 = ((wx * _s58) + (wy * _s59)) + (wz * _s60);
-    const float _s134 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    const float _s135 = bend_e * ((nz * _s133) - (_s60 * _s134));
-    const float _s136 = _s132 + (fabsf(_s135) * _s87);
-    const float _s137 = bend_s * normal_velocity;
-    const float _s138 = nz * bend_e;
-    const float _s139 = -(_s138 * _s84);
-    const float _s140 = _s99 + ((fabsf(_s137) * _s64) + (fabsf(_s139) * _s87));
-    const float _s141 = ((((normal_rounding * _s104) * _s38) + _s109) + _s112) + _s120;
-    const float _s142 = -(p_gravity * _s60);
-    const float _s143 = fabsf(((_s106 * (-(_s135 * _s89))) + (((float)0.6) * (((_s142 * _s67) - (_s137 * _s69)) - (_s139 * _s89)))));
-    const float _s144 = ((wx * left_nx) + (wy * left_ny)) + (wz * left_nz);
-    const float _s145 = left_bend_s * _s144;
-    const float _s146 = ((wx * _s11) + (wy * _s12)) + (wz * _s15);
-    const float _s147 = -(left_bend_s * _s146);
-    const float _s148 = ((float)0.6) * ((((_s142 * _s70) + ((_s20 * _s71) + (_s17 * _s68))) - (_s137 * _s72)) - (_s139 * _s91));
-    const float _s149 = fabsf(((_s106 * (((_s145 * _s90) + (_s147 * _s88)) - (_s135 * _s91))) + _s148));
-    const float _s150 = left_bend_e * ((left_nz * _s146) - (_s15 * _s144));
-    const float _s151 = (wx * left_ex) + (wy * left_ey);
-    const float _s152 = -(_s25 * _s151);
-    const float _s153 = (left_bend_e * _s151) * _s15;
-    const float _s154 = (((_s142 * _s73) + (((_s30 * _s74) + (_s26 * _s71)) + (_s28 * _s68))) - (_s137 * _s75)) - (_s139 * _s93);
-    const float _s155 = (_s106 * ((((_s150 * _s92) + (_s152 * _s90)) + (_s153 * _s88)) - (_s135 * _s93))) + (((float)0.6) * _s154);
-    const float _s156 = (_s106 * (-(_s135 * _s94))) + (((float)0.6) * ((((_s142 * _s76) + _s68) - (_s137 * _s77)) - (_s139 * _s94)));
-    const float _s157 = ((float)1.0) / p_ball_radius;
-    const float _s158 = (_s106 * ((_s157 * _s92) - (_s135 * _s95))) + (((float)0.6) * ((((_s142 * _s78) + _s71) - (_s137 * _s79)) - (_s139 * _s95)));
-    const float _s159 = (_s106 * ((-(_s157 * _s90)) - (_s135 * _s97))) + (((float)0.6) * ((((_s142 * _s81) + _s74) - (_s137 * _s82)) - (_s139 * _s97)));
-    const float _s160 = (((((place_n * _s143) + (place_s * _s149)) + (place_e * fabsf(_s155))) + (pace_n * fabsf(_s156))) + (pace_s * fabsf(_s158))) + (pace_e * fabsf(_s159));
-    const float _s161 = ((_s160 + (turn_n * fabsf((_s106 * _s88)))) + (turn_z * fabsf((_s106 * _s92)))) + (turn_z * fabsf((_s106 * _s90)));
-    const float _s162 = choose(_s56, (((float)1.0009765625) * ((((_s106 * _s136) + (((float)0.6) * _s140)) + _s141) + _s161)), ((float)INFINITE));
-    const float _s163 = bend_s * _s134;
-    const float _s164 = (wx * tangent_x) + (wy * tangent_y);
-    const float _s165 = -(_s138 * _s164);
-    const float _s166 = (fabsf(_s163) * _s64) + (fabsf(_s165) * _s87);
-    const float _s167 = bend_e * ((nz * _s61) - (normal_velocity * _s60));
-    const float _s168 = _s99 + (_s132 + (fabsf(_s167) * _s87));
-    const float _s169 = fabsf(((((float)0.6) * (-(_s167 * _s89))) - (_s106 * (-((_s163 * _s69) + (_s165 * _s89))))));
-    const float _s170 = (((float)0.6) * (((_s20 * _s90) + (_s17 * _s88)) - (_s167 * _s91))) - (_s106 * ((((_s145 * _s71) + (_s147 * _s68)) - (_s163 * _s72)) - (_s165 * _s91)));
-    const float _s171 = _s106 * (((((_s150 * _s74) + (_s152 * _s71)) + (_s153 * _s68)) - (_s163 * _s75)) - (_s165 * _s93));
-    const float _s172 = (((float)0.6) * ((((_s30 * _s92) + (_s26 * _s90)) + (_s28 * _s88)) - (_s167 * _s93))) - _s171;
-    const float _s173 = fabsf(((((float)0.6) * (_s88 - (_s167 * _s94))) - (_s106 * (-((_s163 * _s77) + (_s165 * _s94))))));
-    const float _s174 = fabsf(((((float)0.6) * (_s90 - (_s167 * _s95))) - (_s106 * (((_s157 * _s74) - (_s163 * _s79)) - (_s165 * _s95)))));
-    const float _s175 = ((((place_n * _s169) + (place_s * fabsf(_s170))) + (place_e * fabsf(_s172))) + (pace_n * _s173)) + (pace_s * _s174);
-    const float _s176 = (((float)0.6) * (_s92 - (_s167 * _s97))) - (_s106 * (((-(_s157 * _s71)) - (_s163 * _s82)) - (_s165 * _s97)));
-    const float _s177 = ((_s175 + (pace_e * fabsf(_s176))) + (turn_n * fabsf((-(_s106 * _s68))))) + (turn_z * fabsf((-(_s106 * _s74))));
-    const float _s178 = (((_s106 * _s166) + (((float)0.6) * _s168)) + _s141) + (_s177 + (turn_z * fabsf((-(_s106 * _s71)))));
-    const float _s179 = choose(_s56, (((float)1.0009765625) * _s178), ((float)INFINITE));
-    const float _s180 = -(bend_s * _s133);
-    const float _s181 = _s101 * _s164;
-    const float _s182 = (fabsf(_s180) * _s64) + (fabsf(_s181) * _s87);
-    const float _s183 = ((float)0.6) * _s157;
-    const float _s184 = (_s157 * _s45) + _s108;
-    const float _s185 = (((_s157 * (_s113 + _s119)) + (_s49 * ((((float)2.0) * spin_bound) + (_s183 * _s44)))) + (_s116 * (spin_bound + _s108))) + (_s115 * _s184);
-    const float _s186 = (_s185 + (_s117 * ((_s183 * _s45) + (((float)2.0) * _s108)))) + (((float)3.814697265625e-06) * (spin_bound + (_s49 * _s108)));
-    const float _s187 = place_s * fabsf(((((_s145 * _s22) + (_s147 * _s9)) - (_s180 * _s72)) - (_s181 * _s91)));
-    const float _s188 = (place_n * fabsf((-((_s180 * _s69) + (_s181 * _s89))))) + _s187;
-    const float _s189 = fabsf((((((_s150 * _s32) + (_s152 * _s22)) + (_s153 * _s9)) - (_s180 * _s75)) - (_s181 * _s93)));
-    const float _s190 = (_s188 + (place_e * _s189)) + (pace_n * fabsf((-((_s180 * _s77) + (_s181 * _s94)))));
-    const float _s191 = _s190 + (pace_s * fabsf((((_s157 * _s32) - (_s180 * _s79)) - (_s181 * _s95))));
-    const float _s192 = pace_e * fabsf((((-(_s157 * _s22)) - (_s180 * _s82)) - (_s181 * _s97)));
-    const float _s193 = ((((_s157 * _s112) + (((float)2.0) * (_s107 * _s108))) + _s182) + _s186) + ((((_s191 + _s192) + (turn_n * fabsf(_s9))) + (turn_z * fabsf(_s32))) + (turn_z * fabsf(_s22)));
-    const float _s194 = choose(_s56, (((float)1.0009765625) * _s193), ((float)INFINITE));
-    const float _s195 = (_s157 * (_s112 + _s141)) + (((float)2.0) * (_s107 * ((_s183 * (_s85 + _s62)) + _s108)));
-    const float _s196 = larger(_s103, _s140);
-    const float _s197 = larger(_s182, _s166);
-    const float _s198 = ((float)1.0009765625) * ((_s195 + ((_s157 * larger(_s196, _s168)) + larger(_s197, _s136))) + _s186);
-    const float _s199 = choose(_s56, _s198, ((float)INFINITE));
-    const float _s200 = (bend_s * _s83) + (bend_e * _s98);
-    const float _s201 = _s162 + _s179;
-    return {_s57, _s83, _s98, _s131, _s162, _s179, _s194, _s199, ((float)1.0009765625) * ((_s57 + _s98) + _s83), ((float)1.0009765625) * (((_s111 * _s200) + _s201) + _s131), ((float)1.0009765625) * ((((_s201 / p_ball_radius) + (_s200 * _s184)) + (((float)2.0) * _s199)) + _s194), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, (((float)4.440892098500626e-16) * (t + clock)) + choose(_s56, (((float)1.0009765625) * _s40), ((float)INFINITE))};
+    const float _s0 = -(p_gravity * nz);
+    const float _s1 = fabsf(vx);
+    const float _s2 = ((float)2.0) * t;
+    const float _s3 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s2 * _s1) + fabsf(x)));
+    const float _s4 = fabsf(vy);
+    const float _s5 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s2 * _s4) + fabsf(y)));
+    const float _s6 = ((float)0.5) * p_gravity;
+    const float _s7 = ((_s6 * (t * t)) + (_s2 * fabsf((vz + (_s6 * t))))) + fabsf(z);
+    const float _s8 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s7);
+    const float _s9 = ((position_bound + (t * velocity_bound)) + ((_s3 + _s5) + _s8)) + larger(root_offset, root_level);
+    const float _s10 = ((nx * left_nx) + (ny * left_ny)) + (nz * left_nz);
+    const float _s11 = _s10 - back;
+    const float _s12 = left_nz * left_ey;
+    const float _s13 = -(left_nz * left_ex);
+    const float _s14 = p_gravity * t;
+    const float _s15 = vz + _s14;
+    const float _s16 = (left_ny * left_ex) - (left_nx * left_ey);
+    const float _s17 = ((vx * _s12) + (vy * _s13)) + (_s15 * _s16);
+    const float _s18 = -(left_bend_s * _s17);
+    const float _s19 = t * _s18;
+    const float _s20 = ((vx * left_nx) + (vy * left_ny)) + (left_nz * _s15);
+    const float _s21 = left_bend_s * _s20;
+    const float _s22 = ((float)1.0) + (t * _s21);
+    const float _s23 = ((nx * _s12) + (ny * _s13)) + (nz * _s16);
+    const float _s24 = (_s19 * _s10) + (_s22 * _s23);
+    const float _s25 = (vx * left_ex) + (vy * left_ey);
+    const float _s26 = left_nz * left_bend_e;
+    const float _s27 = -(_s26 * _s25);
+    const float _s28 = t * _s27;
+    const float _s29 = (left_bend_e * _s25) * _s16;
+    const float _s30 = t * _s29;
+    const float _s31 = left_bend_e * ((left_nz * _s17) - (_s16 * _s20));
+    const float _s32 = ((float)1.0) + (t * _s31);
+    const float _s33 = (nx * left_ex) + (ny * left_ey);
+    const float _s34 = ((_s28 * _s23) + (_s30 * _s10)) + (_s32 * _s33);
+    const float _s35 = t * _s10;
+    const float _s36 = t * _s23;
+    const float _s37 = ((((place_n * fabsf(_s11)) + (place_s * fabsf(_s24))) + (place_e * fabsf(_s34))) + (pace_n * fabsf(_s35))) + (pace_s * fabsf(_s36));
+    const float _s38 = t * _s33;
+    const float _s39 = _s14 * ((place_s * left_bend_s) + (place_e * left_bend_e));
+    const float _s40 = ((float)1.9073486328125e-06) * ((t * _s39) + _s9);
+    const float _s41 = ((root_offset + ((((float)1.02) * (sharpest_bend * _s9)) * _s9)) + (_s37 + (pace_e * fabsf(_s38)))) + _s40;
+    const float _s42 = fabsf(normal_velocity);
+    const float _s43 = (((float)1.1) * _s41) / _s42;
+    const float _s44 = fabsf(vz);
+    const float _s45 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (((_s14 + _s1) + _s4) + _s44));
+    const float _s46 = velocity_bound + _s45;
+    const float _s47 = (p_gravity * _s43) + _s46;
+    const float _s48 = (_s1 + _s4) + _s44;
+    const float _s49 = _s47 + _s48;
+    const float _s50 = (_s43 * _s49) + _s9;
+    const float _s51 = ((float)1.02) * sharpest_bend;
+    const float _s52 = _s51 * _s50;
+    const float _s53 = (((float)12.0) * (((fabsf(_s0) * _s43) + (_s52 * _s49)) + _s46)) - _s42;
+    const float _s54 = (((float)100.0) * (sharpest_bend * _s50)) - ((float)1.0);
+    const float _s55 = larger(_s53, _s54);
+    const float _s56 = (_s6 * (_s43 * _s43)) + (_s43 * _s46);
+    const float _s57 = ((_s52 * _s50) + _s56) / _s42;
+    const float _s58 = (_s57 * _s48) + _s56;
+    const float _s59 = (root_level + _s58) + (((fabsf(nx) * _s3) + (fabsf(ny) * _s5)) + (fabsf(nz) * _s8));
+    const float _s60 = bend_s * _s59;
+    const float _s61 = (((float)1048576.0) * _s60) - ((float)1.0);
+    const bool _s62 = larger(_s55, _s61) <= ((float)0.0);
+    const float _s63 = choose(_s62, (((float)1.0009765625) * _s59), ((float)INFINITE));
+    const float _s64 = nz * tangent_y;
+    const float _s65 = -(nz * tangent_x);
+    const float _s66 = (ny * tangent_x) - (nx * tangent_y);
+    const float _s67 = ((vx * _s64) + (vy * _s65)) + (vz * _s66);
+    const float _s68 = fabsf(_s67);
+    const float _s69 = (root_offset + _s40) / _s42;
+    const float _s70 = (_s68 * _s69) + (((fabsf(_s65) * _s5) + (fabsf(_s64) * _s3)) + (fabsf(_s66) * _s8));
+    const float _s71 = (_s58 + (((float)1.9073486328125e-06) * _s50)) + _s40;
+    const float _s72 = ((float)1.0) / normal_velocity;
+    const float _s73 = -(_s72 * _s11);
+    const float _s74 = ((left_nx * _s64) + (left_ny * _s65)) + (left_nz * _s66);
+    const float _s75 = (_s73 * _s67) + _s74;
+    const float _s76 = -(_s72 * _s24);
+    const float _s77 = ((_s65 * _s13) + (_s64 * _s12)) + (_s66 * _s16);
+    const float _s78 = (_s76 * _s67) + ((_s19 * _s74) + (_s22 * _s77));
+    const float _s79 = -(_s72 * _s34);
+    const float _s80 = (left_ex * _s64) + (left_ey * _s65);
+    const float _s81 = (_s79 * _s67) + (((_s28 * _s77) + (_s30 * _s74)) + (_s32 * _s80));
+    const float _s82 = -(_s72 * _s35);
+    const float _s83 = (_s82 * _s67) + (t * _s74);
+    const float _s84 = -(_s72 * _s36);
+    const float _s85 = (_s84 * _s67) + (t * _s77);
+    const float _s86 = ((((place_n * fabsf(_s75)) + (place_s * fabsf(_s78))) + (place_e * fabsf(_s81))) + (pace_n * fabsf(_s83))) + (pace_s * fabsf(_s85));
+    const float _s87 = -(_s72 * _s38);
+    const float _s88 = (_s87 * _s67) + (t * _s80);
+    const float _s89 = choose(_s62, (((float)1.0009765625) * ((_s70 + _s71) + (_s86 + (pace_e * fabsf(_s88))))), ((float)INFINITE));
+    const float _s90 = (vx * tangent_x) + (vy * tangent_y);
+    const float _s91 = fabsf(_s90);
+    const float _s92 = fabsf(((float)0.0));
+    const float _s93 = (_s91 * _s69) + (((_s92 * _s8) + (fabsf(tangent_x) * _s3)) + (fabsf(tangent_y) * _s5));
+    const float _s94 = (left_nx * tangent_x) + (left_ny * tangent_y);
+    const float _s95 = (_s73 * _s90) + _s94;
+    const float _s96 = (tangent_x * _s12) + (tangent_y * _s13);
+    const float _s97 = (_s76 * _s90) + ((_s19 * _s94) + (_s22 * _s96));
+    const float _s98 = (tangent_x * left_ex) + (tangent_y * left_ey);
+    const float _s99 = (_s79 * _s90) + (((_s28 * _s96) + (_s30 * _s94)) + (_s32 * _s98));
+    const float _s100 = (_s82 * _s90) + (t * _s94);
+    const float _s101 = (_s84 * _s90) + (t * _s96);
+    const float _s102 = ((((place_n * fabsf(_s95)) + (place_s * fabsf(_s97))) + (place_e * fabsf(_s99))) + (pace_n * fabsf(_s100))) + (pace_s * fabsf(_s101));
+    const float _s103 = (_s87 * _s90) + (t * _s98);
+    const float _s104 = choose(_s62, (((float)1.0009765625) * ((_s93 + _s71) + (_s102 + (pace_e * fabsf(_s103))))), ((float)INFINITE));
+    const float _s105 = (p_gravity * _s69) + _s45;
+    const float _s106 = -(bend_s * _s67);
+    const float _s107 = bend_e * _s66;
+    const float _s108 = _s107 * _s90;
+    const float _s109 = _s105 + ((fabsf(_s106) * _s70) + (fabsf(_s108) * _s93));
+    const float _s110 = ((float)0.6) + p_restitution;
+    const float _s111 = ((float)0.4) * p_ball_radius;
+    const float _s112 = normal_rounding + _s60;
+    const float _s113 = (fabsf(wx) + fabsf(wy)) + fabsf(wz);
+    const float _s114 = (_s111 * _s112) * _s113;
+    const float _s115 = p_ball_radius * _s113;
+    const float _s116 = _s115 + _s48;
+    const float _s117 = ((float)7.888609052210118e-31) + (((float)1.5543122344752192e-15) * _s116);
+    const float _s118 = p_gravity * _s57;
+    const float _s119 = ((float)2.0) * _s110;
+    const float _s120 = (bend_s + bend_e) * _s71;
+    const float _s121 = _s52 * _s52;
+    const float _s122 = (_s51 * _s58) + (((float)2.0) * _s121);
+    const float _s123 = ((_s118 + (_s52 * ((spin_bound * _s111) + (_s119 * _s47)))) + (_s120 * _s116)) + (_s122 * ((_s111 * _s113) + (_s119 * _s48)));
+    const float _s124 = ((float)1.9073486328125e-06) * (((p_ball_radius * spin_bound) + (_s52 * (_s115 + (((float)4.0) * _s48)))) + (((float)2.0) * (_s39 + _s47)));
+    const float _s125 = (_s123 + ((_s121 * _s110) * _s49)) + _s124;
+    const float _s126 = ((p_restitution * _s109) + (_s110 * ((normal_rounding * (_s48 + _s42)) + ((((float)2.0) * _s60) * _s42)))) + ((_s114 + _s117) + _s125);
+    const float _s127 = fabsf((-(p_restitution * (((_s0 * _s73) - (_s106 * _s75)) - (_s108 * _s95)))));
+    const float _s128 = p_restitution * ((((_s0 * _s76) + ((_s21 * _s23) + (_s18 * _s10))) - (_s106 * _s78)) - (_s108 * _s97));
+    const float _s129 = (((_s0 * _s79) + (((_s31 * _s33) + (_s27 * _s23)) + (_s29 * _s10))) - (_s106 * _s81)) - (_s108 * _s99);
+    const float _s130 = -(p_restitution * ((((_s0 * _s82) + _s10) - (_s106 * _s83)) - (_s108 * _s100)));
+    const float _s131 = (((place_n * _s127) + (place_s * fabsf((-_s128)))) + (place_e * fabsf((-(p_restitution * _s129))))) + (pace_n * fabsf(_s130));
+    const float _s132 = -(p_restitution * ((((_s0 * _s84) + _s23) - (_s106 * _s85)) - (_s108 * _s101)));
+    const float _s133 = -(p_restitution * ((((_s0 * _s87) + _s33) - (_s106 * _s88)) - (_s108 * _s103)));
+    const float _s134 = ((float)1.0009765625) * (_s126 + ((_s131 + (pace_s * fabsf(_s132))) + (pace_e * fabsf(_s133))));
+    const float _s135 = choose(_s62, _s134, ((float)INFINITE));
+    const float _s136 = _s92 * _s70;
+    const float _s137 = ((wx * _s64) + (wy * _s65)) + (wz * _s66);
+    const float _s138 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const float _s139 = bend_e * ((nz * _s137) - (_s66 * _s138));
+    const float _s140 = _s136 + (fabsf(_s139) * _s93);
+    const float _s141 = bend_s * normal_velocity;
+    const float _s142 = nz * bend_e;
+    const float _s143 = -(_s142 * _s90);
+    const float _s144 = _s105 + ((fabsf(_s141) * _s70) + (fabsf(_s143) * _s93));
+    const float _s145 = ((((normal_rounding * _s110) * _s42) + _s114) + _s117) + _s125;
+    const float _s146 = -(p_gravity * _s66);
+    const float _s147 = fabsf(((_s111 * (-(_s139 * _s95))) + (((float)0.6) * (((_s146 * _s73) - (_s141 * _s75)) - (_s143 * _s95)))));
+    const float _s148 = ((wx * left_nx) + (wy * left_ny)) + (wz * left_nz);
+    const float _s149 = left_bend_s * _s148;
+    const float _s150 = ((wx * _s12) + (wy * _s13)) + (wz * _s16);
+    const float _s151 = -(left_bend_s * _s150);
+    const float _s152 = ((float)0.6) * ((((_s146 * _s76) + ((_s21 * _s77) + (_s18 * _s74))) - (_s141 * _s78)) - (_s143 * _s97));
+    const float _s153 = fabsf(((_s111 * (((_s149 * _s96) + (_s151 * _s94)) - (_s139 * _s97))) + _s152));
+    const float _s154 = left_bend_e * ((left_nz * _s150) - (_s16 * _s148));
+    const float _s155 = (wx * left_ex) + (wy * left_ey);
+    const float _s156 = -(_s26 * _s155);
+    const float _s157 = (left_bend_e * _s155) * _s16;
+    const float _s158 = (((_s146 * _s79) + (((_s31 * _s80) + (_s27 * _s77)) + (_s29 * _s74))) - (_s141 * _s81)) - (_s143 * _s99);
+    const float _s159 = (_s111 * ((((_s154 * _s98) + (_s156 * _s96)) + (_s157 * _s94)) - (_s139 * _s99))) + (((float)0.6) * _s158);
+    const float _s160 = (_s111 * (-(_s139 * _s100))) + (((float)0.6) * ((((_s146 * _s82) + _s74) - (_s141 * _s83)) - (_s143 * _s100)));
+    const float _s161 = ((float)1.0) / p_ball_radius;
+    const float _s162 = (_s111 * ((_s161 * _s98) - (_s139 * _s101))) + (((float)0.6) * ((((_s146 * _s84) + _s77) - (_s141 * _s85)) - (_s143 * _s101)));
+    const float _s163 = (_s111 * ((-(_s161 * _s96)) - (_s139 * _s103))) + (((float)0.6) * ((((_s146 * _s87) + _s80) - (_s141 * _s88)) - (_s143 * _s103)));
+    const float _s164 = (((((place_n * _s147) + (place_s * _s153)) + (place_e * fabsf(_s159))) + (pace_n * fabsf(_s160))) + (pace_s * fabsf(_s162))) + (pace_e * fabsf(_s163));
+    const float _s165 = ((_s164 + (turn_n * fabsf((_s111 * _s94)))) + (turn_z * fabsf((_s111 * _s98)))) + (turn_z * fabsf((_s111 * _s96)));
+    const float _s166 = choose(_s62, (((float)1.0009765625) * ((((_s111 * _s140) + (((float)0.6) * _s144)) + _s145) + _s165)), ((float)INFINITE));
+    const float _s167 = bend_s * _s138;
+    const float _s168 = (wx * tangent_x) + (wy * tangent_y);
+    const float _s169 = -(_s142 * _s168);
+    const float _s170 = (fabsf(_s167) * _s70) + (fabsf(_s169) * _s93);
+    const float _s171 = bend_e * ((nz * _s67) - (normal_velocity * _s66));
+    const float _s172 = _s105 + (_s136 + (fabsf(_s171) * _s93));
+    const float _s173 = fabsf(((((float)0.6) * (-(_s171 * _s95))) - (_s111 * (-((_s167 * _s75) + (_s169 * _s95))))));
+    const float _s174 = (((float)0.6) * (((_s21 * _s96) + (_s18 * _s94)) - (_s171 * _s97))) - (_s111 * ((((_s149 * _s77) + (_s151 * _s74)) - (_s167 * _s78)) - (_s169 * _s97)));
+    const float _s175 = _s111 * (((((_s154 * _s80) + (_s156 * _s77)) + (_s157 * _s74)) - (_s167 * _s81)) - (_s169 * _s99));
+    const float _s176 = (((float)0.6) * ((((_s31 * _s98) + (_s27 * _s96)) + (_s29 * _s94)) - (_s171 * _s99))) - _s175;
+    const float _s177 = fabsf(((((float)0.6) * (_s94 - (_s171 * _s100))) - (_s111 * (-((_s167 * _s83) + (_s169 * _s100))))));
+    const float _s178 = fabsf(((((float)0.6) * (_s96 - (_s171 * _s101))) - (_s111 * (((_s161 * _s80) - (_s167 * _s85)) - (_s169 * _s101)))));
+    const float _s179 = ((((place_n * _s173) + (place_s * fabsf(_s174))) + (place_e * fabsf(_s176))) + (pace_n * _s177)) + (pace_s * _s178);
+    const float _s180 = (((float)0.6) * (_s98 - (_s171 * _s103))) - (_s111 * (((-(_s161 * _s77)) - (_s167 * _s88)) - (_s169 * _s103)));
+    const float _s181 = ((_s179 + (pace_e * fabsf(_s180))) + (turn_n * fabsf((-(_s111 * _s74))))) + (turn_z * fabsf((-(_s111 * _s80))));
+    const float _s182 = (((_s111 * _s170) + (((float)0.6) * _s172)) + _s145) + (_s181 + (turn_z * fabsf((-(_s111 * _s77)))));
+    const float _s183 = choose(_s62, (((float)1.0009765625) * _s182), ((float)INFINITE));
+    const float _s184 = -(bend_s * _s137);
+    const float _s185 = _s107 * _s168;
+    const float _s186 = (fabsf(_s184) * _s70) + (fabsf(_s185) * _s93);
+    const float _s187 = ((float)0.6) * _s161;
+    const float _s188 = (_s161 * _s48) + _s113;
+    const float _s189 = (((_s161 * (_s118 + _s124)) + (_s52 * ((((float)2.0) * spin_bound) + (_s187 * _s47)))) + (_s121 * (spin_bound + _s113))) + (_s120 * _s188);
+    const float _s190 = (_s189 + (_s122 * ((_s187 * _s48) + (((float)2.0) * _s113)))) + (((float)1.9073486328125e-06) * (spin_bound + (_s52 * _s113)));
+    const float _s191 = ((((_s161 * _s117) + (((float)2.0) * (_s112 * _s113))) + (((float)0.6) * ((normal_rounding * _s161) * _s48))) + _s186) + _s190;
+    const float _s192 = place_s * fabsf(((((_s149 * _s23) + (_s151 * _s10)) - (_s184 * _s78)) - (_s185 * _s97)));
+    const float _s193 = (place_n * fabsf((-((_s184 * _s75) + (_s185 * _s95))))) + _s192;
+    const float _s194 = fabsf((((((_s154 * _s33) + (_s156 * _s23)) + (_s157 * _s10)) - (_s184 * _s81)) - (_s185 * _s99)));
+    const float _s195 = (_s193 + (place_e * _s194)) + (pace_n * fabsf((-((_s184 * _s83) + (_s185 * _s100)))));
+    const float _s196 = _s195 + (pace_s * fabsf((((_s161 * _s33) - (_s184 * _s85)) - (_s185 * _s101))));
+    const float _s197 = pace_e * fabsf((((-(_s161 * _s23)) - (_s184 * _s88)) - (_s185 * _s103)));
+    const float _s198 = _s191 + ((((_s196 + _s197) + (turn_n * fabsf(_s10))) + (turn_z * fabsf(_s33))) + (turn_z * fabsf(_s23)));
+    const float _s199 = choose(_s62, (((float)1.0009765625) * _s198), ((float)INFINITE));
+    const float _s200 = (_s161 * (_s117 + _s145)) + (((float)2.0) * (_s112 * ((_s187 * (_s91 + _s68)) + _s113)));
+    const float _s201 = larger(_s109, _s144);
+    const float _s202 = larger(_s186, _s170);
+    const float _s203 = ((float)1.0009765625) * ((_s200 + ((_s161 * larger(_s201, _s172)) + larger(_s202, _s140))) + _s190);
+    const float _s204 = choose(_s62, _s203, ((float)INFINITE));
+    const float _s205 = (bend_s * _s89) + (bend_e * _s104);
+    const float _s206 = _s166 + _s183;
+    const float _s207 = choose(_s62, (((float)1.0009765625) * ((((_s206 / p_ball_radius) + (_s205 * _s188)) + (((float)2.0) * _s204)) + _s199)), ((float)INFINITE));
+    return {_s63, _s89, _s104, _s135, _s166, _s183, _s199, _s204, choose(_s62, (((float)1.0009765625) * ((_s63 + _s104) + _s89)), ((float)INFINITE)), choose(_s62, (((float)1.0009765625) * (((_s116 * _s205) + _s206) + _s135)), ((float)INFINITE)), _s207, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, (((float)4.440892098500626e-16) * (t + clock)) + choose(_s62, (((float)1.0009765625) * _s43), ((float)INFINITE))};
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1226,7 +1254,7 @@ static __device__ __forceinline__ kernel_ring_normal_out kernel_ring_normal(doub
 }
 
 /* Tangent and curvatures at a contact, and bounds on the roundings there.
-   Table 2, running error analysis. 119 operations: 36 additions, 2 subtractions, 43 multiplications, 6 divisions, 3 square roots, 1 negation, 10 absolute values, 8 comparisons, 10 selections. */
+   Table 2, running error analysis. 123 operations: 37 additions, 2 subtractions, 45 multiplications, 6 divisions, 3 square roots, 1 negation, 11 absolute values, 8 comparisons, 10 selections. */
 struct kernel_ring_tangents_out {
     float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
 };
@@ -1245,27 +1273,28 @@ static __device__ __forceinline__ kernel_ring_tangents_out kernel_ring_tangents(
     const float _s9 = fabsf(vy);
     const float _s10 = fabsf(vz);
     const float _s11 = t * ((((float)2.0) * ((sqrtf(p_gravity) * sqrtf(_s2)) + larger(((float)0.0), _s7))) + (((_s6 + _s8) + _s9) + _s10));
-    const float _s12 = t * t;
-    const float _s13 = (p_gravity * _s12) + (t * ((_s8 + _s9) + _s10));
-    const float _s14 = ((float)2.0) * t;
-    const float _s15 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s14 * _s8) + fabsf(x)));
-    const float _s16 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s14 * _s9) + fabsf(y)));
-    const float _s17 = ((float)0.5) * p_gravity;
-    const float _s18 = ((_s17 * _s12) + (_s14 * fabsf((vz + (_s17 * t))))) + fabsf(z);
-    const float _s19 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s18);
-    const float _s20 = ((float)2.0) * (p_ring_radius * _s3);
-    const float _s21 = (((((float)1.5) * _s13) * ((_s15 + _s16) + _s19)) / _s5) + ((((float)1.1102230246251565e-16) * (((float)16.0) + _s20)) * _s13);
-    const float _s22 = ((float)1.125) * _s21;
-    const float _s23 = ((float)1.7763568394002505e-15) * (((normal_velocity * normal_velocity) / (((vx * vx) + (vy * vy)) + (vz * vz))) * _s2);
-    const float _s24 = (((float)7.888609052210118e-31) + _s21) + larger(_s22, _s23);
-    const float _s25 = (((float)1.1102230246251565e-16) * ((((float)3.5) * _s2) + (((float)2.0) * _s0))) + (((fabsf(nx) * _s15) + (fabsf(ny) * _s16)) + (fabsf(nz) * _s19));
-    const float _s26 = ((float)1.125) * _s25;
-    const float _s27 = (((float)7.888609052210118e-31) + _s25) + larger(_s26, _s23);
-    const float _s28 = place_n + _s27;
-    const bool _s29 = (((float)4.0) * (_s11 / _s5)) <= ((float)1.0);
-    const bool _s30 = ((float)0.0) < back;
-    const float _s31 = place_n + _s24;
-    return {-(y * _s1), x * _s1, _s3, _s1, ((float)1.0) / _s5, choose(_s30, choose(_s29, _s24, larger(_s24, _s28)), _s27), choose(_s30, choose(_s29, _s31, larger(_s31, _s27)), _s27), ((float)1.1102230246251565e-16) * (((float)7.0) + _s20)};
+    const float _s12 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (t * fabsf(normal_velocity)));
+    const float _s13 = t * t;
+    const float _s14 = (p_gravity * _s13) + (t * ((_s8 + _s9) + _s10));
+    const float _s15 = ((float)2.0) * t;
+    const float _s16 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s15 * _s8) + fabsf(x)));
+    const float _s17 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s15 * _s9) + fabsf(y)));
+    const float _s18 = ((float)0.5) * p_gravity;
+    const float _s19 = ((_s18 * _s13) + (_s15 * fabsf((vz + (_s18 * t))))) + fabsf(z);
+    const float _s20 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s19);
+    const float _s21 = ((float)2.0) * (p_ring_radius * _s3);
+    const float _s22 = (((((float)1.5) * _s14) * ((_s16 + _s17) + _s20)) / _s5) + ((((float)1.1102230246251565e-16) * (((float)16.0) + _s21)) * _s14);
+    const float _s23 = ((float)1.125) * _s22;
+    const float _s24 = ((float)1.7763568394002505e-15) * (((normal_velocity * normal_velocity) / (((vx * vx) + (vy * vy)) + (vz * vz))) * _s2);
+    const float _s25 = (_s12 + _s22) + larger(_s23, _s24);
+    const float _s26 = (((float)1.1102230246251565e-16) * ((((float)3.5) * _s2) + (((float)2.0) * _s0))) + (((fabsf(nx) * _s16) + (fabsf(ny) * _s17)) + (fabsf(nz) * _s20));
+    const float _s27 = ((float)1.125) * _s26;
+    const float _s28 = (_s12 + _s26) + larger(_s27, _s24);
+    const float _s29 = place_n + _s28;
+    const bool _s30 = (((float)4.0) * (_s11 / _s5)) <= ((float)1.0);
+    const bool _s31 = ((float)0.0) < back;
+    const float _s32 = place_n + _s25;
+    return {-(y * _s1), x * _s1, _s3, _s1, ((float)1.0) / _s5, choose(_s31, choose(_s30, _s25, larger(_s25, _s29)), _s28), choose(_s31, choose(_s30, _s32, larger(_s32, _s28)), _s28), ((float)1.1102230246251565e-16) * (((float)7.0) + _s21)};
 }
 
 /* Positive if errors of the state exceed those that a search allows for.
@@ -2136,7 +2165,8 @@ static __device__ __forceinline__ void hoop_loop(
         certain = false, searching = false, representable = false, fits = false, stepping = false,
         single_precision = false, hit = false, sure = false, needs_refinement = false,
         exhausted = false, refining = false, moves = false, ends = false, touches = false,
-        edge = false, here = false, meeting = false, ends_by_time_limit = false, closed = false;
+        edge = false, here = false, meeting = false, unbounded = false, ends_by_time_limit = false,
+        closed = false;
     x = _states[9 * _shot + 0];
     y = _states[9 * _shot + 1];
     z = _states[9 * _shot + 2];
@@ -2819,52 +2849,58 @@ static __device__ __forceinline__ void hoop_loop(
                 wy = _o143.wy;
                 wz = _o143.wz;
             }
-            const kernel_here_out _o144 = kernel_here(1.0, which);
-            here = _o144.here;
-            if (here) {
-                const kernel_backboard_place_out _o145 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
-                x = _o145.x;
-                y = _o145.y;
-                z = _o145.z;
+            if (BOUNDS) {
+                const kernel_unbounded_out _o144 = kernel_unbounded(clock_error, position_bound, velocity_bound, spin_bound);
+                unbounded = _o144.unbounded;
+                const kernel_without_bounds_out _o145 = kernel_without_bounds(unbounded, uncertain);
+                uncertain = _o145.uncertain;
             }
-            const kernel_here_out _o146 = kernel_here(2.0, which);
+            const kernel_here_out _o146 = kernel_here(1.0, which);
             here = _o146.here;
             if (here) {
-                const kernel_bridge_place_out _o147 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
+                const kernel_backboard_place_out _o147 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
                 x = _o147.x;
                 y = _o147.y;
                 z = _o147.z;
             }
+            const kernel_here_out _o148 = kernel_here(2.0, which);
+            here = _o148.here;
+            if (here) {
+                const kernel_bridge_place_out _o149 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
+                x = _o149.x;
+                y = _o149.y;
+                z = _o149.z;
+            }
             if (touches) {
-                const kernel_touched_out _o148 = kernel_touched(which, body, first);
-                first = _o148.first;
-                last = _o148.last;
+                const kernel_touched_out _o150 = kernel_touched(which, body, first);
+                first = _o150.first;
+                last = _o150.last;
             }
         }
         if (BOUNDS) {
             if (limited) {
-                const kernel_ends_by_time_limit_out _o149 = kernel_ends_by_time_limit(4.0, which, claims);
-                ends_by_time_limit = _o149.ends_by_time_limit;
+                const kernel_ends_by_time_limit_out _o151 = kernel_ends_by_time_limit(4.0, which, claims);
+                ends_by_time_limit = _o151.ends_by_time_limit;
                 if (ends_by_time_limit) {
-                    const kernel_carry_time_out _o150 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, position_bound, velocity_bound, spin_bound, p_gravity);
-                    position_bound = _o150.position_bound;
-                    velocity_bound = _o150.velocity_bound;
-                    spin_bound = _o150.spin_bound;
-                    clock_error = _o150.clock_error;
+                    const kernel_carry_time_out _o152 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, position_bound, velocity_bound, spin_bound, p_gravity);
+                    position_bound = _o152.position_bound;
+                    velocity_bound = _o152.velocity_bound;
+                    spin_bound = _o152.spin_bound;
+                    clock_error = _o152.clock_error;
                 }
             }
-            const kernel_closing_out _o151 = kernel_closing(outcome, claims);
-            closed = _o151.closed;
-            position_claim = _o151.position_claim;
-            velocity_claim = _o151.velocity_claim;
-            spin_claim = _o151.spin_claim;
-            time_claim = _o151.time_claim;
+            const kernel_closing_out _o153 = kernel_closing(outcome, claims);
+            closed = _o153.closed;
+            position_claim = _o153.position_claim;
+            velocity_claim = _o153.velocity_claim;
+            spin_claim = _o153.spin_claim;
+            time_claim = _o153.time_claim;
             if (closed) {
-                const kernel_claimed_errors_out _o152 = kernel_claimed_errors(clock_error, position_bound, velocity_bound, spin_bound);
-                position_claim = _o152.position_error;
-                velocity_claim = _o152.velocity_error;
-                spin_claim = _o152.spin_error;
-                time_claim = _o152.time_error;
+                const kernel_claimed_errors_out _o154 = kernel_claimed_errors(clock_error, position_bound, velocity_bound, spin_bound);
+                position_claim = _o154.position_error;
+                velocity_claim = _o154.velocity_error;
+                spin_claim = _o154.spin_error;
+                time_claim = _o154.time_error;
             }
         }
 

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 863acc6ac95c3dee,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation a97eb2c9622d3ff5,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -292,6 +292,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "displacement": ("margin",),
     "normal_velocity": ("normal_velocity",),
     "carry_end": ("position_bound", "velocity_bound", "spin_bound", "delay",),
+    "unbounded": ("unbounded",),
     "carry_time": ("position_bound", "velocity_bound", "spin_bound", "clock_error",),
     "error_bounds": ("position_error", "velocity_error", "spin_error", "time_error",),
     "claimed_errors": ("position_error", "velocity_error", "spin_error", "time_error",),
@@ -339,6 +340,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "meeting": ("meeting",),
     "here": ("here",),
     "counted": ("count",),
+    "without_bounds": ("uncertain",),
     "came_back": ("back",),
     "touched": ("first", "last",),
     "ends_by_time_limit": ("ends_by_time_limit",),
@@ -467,11 +469,11 @@ _k24 = _scalar(_float32(7.888609052210118e-31))
 _k25 = _scalar(_float32(1.1102230246251565e-16))
 _k26 = _scalar(_float32(1.1))
 _k27 = _scalar(_float32(1.0009765625))
-_k28 = _scalar(_float32(11.0))
+_k28 = _scalar(_float32(12.0))
 _k29 = _scalar(_float32(0.0))
 _k30 = _scalar(_float32(_inf))
 _k31 = _scalar(_float32(4.440892098500626e-16))
-_k32 = _float32(11.0)
+_k32 = _float32(12.0)
 _k33 = _float32(1.1)
 _k34 = _float32(7.888609052210118e-31)
 _k35 = _float32(1.1102230246251565e-16)
@@ -504,10 +506,10 @@ _k61 = _scalar(1.0000000000009095)
 _k62 = _float64(1.0000000000009095)
 _k63 = _scalar(0.6)
 _k64 = _scalar(_float32(1.0))
-_k65 = _scalar(_float32(3.814697265625e-06))
+_k65 = _scalar(_float32(1.9073486328125e-06))
 _k66 = _scalar(_float32(1.02))
 _k67 = _scalar(_float32(100.0))
-_k68 = _scalar(_float32(0.51))
+_k68 = _scalar(_float32(1048576.0))
 _k69 = _float32(0.6)
 _k70 = _float32(0.4)
 _k71 = _scalar(_float32(1.5543122344752192e-15))
@@ -515,9 +517,9 @@ _k72 = _scalar(_float32(4.0))
 _k73 = _scalar(_float32(0.6))
 _k74 = _float32(1.0)
 _k75 = _float32(1.02)
-_k76 = _float32(3.814697265625e-06)
+_k76 = _float32(1.9073486328125e-06)
 _k77 = _float32(100.0)
-_k78 = _float32(0.51)
+_k78 = _float32(1048576.0)
 _k79 = _float32(1.5543122344752192e-15)
 _k80 = _float32(4.0)
 _k81 = _float64(0.0625)
@@ -590,24 +592,26 @@ _k147 = _float32(2.384185791015625e-07)
 _k148 = _float32(6.0)
 _k149 = _scalar(_float32(8.0))
 _k150 = _scalar(_float32(0.0001220703125))
-_k151 = _scalar(_float32(3.0))
-_k152 = _scalar(_float32(0.000244140625))
-_k153 = _float32(8.0)
-_k154 = _float32(3.0)
-_k155 = _float64(8.940696716308594e-08)
-_k156 = _float32(1.00048828125)
-_k157 = _float32(0.00048828125)
-_k158 = _float32(0.125)
-_k159 = _float32(1.4143014047294855)
-_k160 = _float32(0.25)
-_k161 = _float32(1.52587890625e-05)
-_k162 = _scalar(2.222614453595284e-16)
-_k163 = _scalar(2.001953125)
-_k164 = _float64(6.667843360785852e-16)
-_k165 = _float64(8.890457814381136e-16)
-_k166 = _float64(2.222614453595284e-16)
-_k167 = _float64(2.001953125)
-_k168 = _float64(7.105427357601002e-15)
+_k151 = _scalar(_float32(3.814697265625e-06))
+_k152 = _scalar(_float32(3.0))
+_k153 = _scalar(_float32(0.000244140625))
+_k154 = _float32(8.0)
+_k155 = _float32(3.814697265625e-06)
+_k156 = _float32(3.0)
+_k157 = _float64(8.940696716308594e-08)
+_k158 = _float32(1.00048828125)
+_k159 = _float32(0.00048828125)
+_k160 = _float32(0.125)
+_k161 = _float32(1.4143014047294855)
+_k162 = _float32(0.25)
+_k163 = _float32(1.52587890625e-05)
+_k164 = _scalar(2.222614453595284e-16)
+_k165 = _scalar(2.001953125)
+_k166 = _float64(6.667843360785852e-16)
+_k167 = _float64(8.890457814381136e-16)
+_k168 = _float64(2.222614453595284e-16)
+_k169 = _float64(2.001953125)
+_k170 = _float64(7.105427357601002e-15)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -818,6 +822,15 @@ def carry_end(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: 
     _s12 = _multiply(_k27, _add(_multiply(_s8, _add(_s11, _add(_add(_s0, _s2, _r2), _s9, _r2), _r2), _r2), _s6, _r2), _r2)
     _s13 = _subtract(_multiply(_k28, _s11, _r3), _s7, _r3) <= _k29
     return _result(_s13, _s12, _k30, _r0), _result(_s13, _multiply(_k27, _s11, _r6), _k30, _r0), _result(_s13, _multiply(_k27, spin_bound, _r6), _k30, _r0), _multiply(_k31, _add(t, clock, _r6), _r6) + _select(_s13, _multiply(_k27, _s8, _r4), _k30, _r2)
+
+
+def unbounded(clock_error: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any) -> tuple[Any, ...]:
+    """Whether a bound on an error is not finite.
+
+    comparison. 8 operations: 4 comparisons, 3 conjunctions, 1 complement.
+    """
+    clock_error, position_bound, velocity_bound, spin_bound, = [_single(value) for value in (clock_error, position_bound, velocity_bound, spin_bound,)]
+    return _logical_not(_logical_and(_logical_and(_logical_and((position_bound < _float32(_inf)), (velocity_bound < _float32(_inf))), (spin_bound < _float32(_inf))), (clock_error < _float32(_inf)))),
 
 
 def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: Any, clock_error: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1297,6 +1310,14 @@ def counted(count: Any) -> tuple[Any, ...]:
     return 1.0 + count,
 
 
+def without_bounds(unbounded: Any, uncertain: Any) -> tuple[Any, ...]:
+    """1 if a bound on an error is not finite.
+
+    Table 1. 1 operation: 1 selection.
+    """
+    return _where(unbounded, 1.0, uncertain),
+
+
 def came_back(last: Any, which: Any) -> tuple[Any, ...]:
     """1 if the flight began on the surface that the ball meets.
 
@@ -1440,213 +1461,219 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
 def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, clock: Any, left_nx: Any, left_ny: Any, left_nz: Any, place_n: Any, place_s: Any, place_e: Any, pace_n: Any, pace_s: Any, pace_e: Any, turn_n: Any, turn_z: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any, tangent_x: Any, tangent_y: Any, bend_s: Any, bend_e: Any, left_ex: Any, left_ey: Any, left_bend_s: Any, left_bend_e: Any, sharpest_bend: Any, root_offset: Any, root_level: Any, normal_rounding: Any, normal_velocity: Any, back: Any, p_ball_radius: Any, p_restitution: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Bounds on errors after a contact, from those at the departure before it.
 
-    derivative of the frame-free Eq. 17, with roundings. 938 operations: 260 additions, 64 subtractions, 468 multiplications, 6 divisions, 37 negations, 83 absolute values, 6 comparisons, 14 selections.
+    derivative of the frame-free Eq. 17, with roundings. 962 operations: 266 additions, 65 subtractions, 477 multiplications, 6 divisions, 37 negations, 84 absolute values, 8 comparisons, 19 selections.
     """
     t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40, _r41, _r42, _r43, _r44, _r45, _r46, _r47, _r48, _r49, _r50, _r51, _r52, _r53, _r54, _r55, _r56, _r57, _r58, _r59, _r60, _r61, _r62, _r63, _r64, _r65, _r66, _r67, _r68, _r69, _r70, _r71, _r72, _r73, _r74, _r75, _r76 = _halves(_room[:77])
-    _s0 = _absolute(vx, _r0)
-    _s1 = _multiply(_k22, t, _r1)
-    _s2 = _add(_k24, _multiply(_k25, _add(_multiply(_s1, _s0, _r2), _absolute(x, _r3), _r3), _r3), _r3)
-    _s3 = _absolute(vy, _r2)
-    _s4 = _add(_k24, _multiply(_k25, _add(_multiply(_s1, _s3, _r4), _absolute(y, _r5), _r5), _r5), _r5)
-    _s5 = _k23 * p_gravity
-    _s6 = _add(_add(_multiply(_s5, _multiply(t, t, _r4), _r4), _multiply(_s1, _absolute(_add(vz, _multiply(_s5, t, _r6), _r6), _r6), _r6), _r6), _absolute(z, _r4), _r4)
-    _s7 = _add(_k24, _multiply(_k25, _s6, _r4), _r4)
-    _s8 = _add(_add(_add(position_bound, root_offset, _r6), _multiply(t, velocity_bound, _r1), _r1), _add(_add(_s2, _s4, _r6), _s7, _r6), _r6)
-    _s9 = _add(_add(_multiply(nx, left_nx, _r1), _multiply(ny, left_ny, _r7), _r7), _multiply(nz, left_nz, _r1), _r1)
-    _s10 = _subtract(_s9, back, _r7)
-    _s11 = _multiply(left_nz, left_ey, _r8)
-    _s12 = _negative(_multiply(left_nz, left_ex, _r9), _r9)
-    _s13 = _multiply(p_gravity, t, _r10)
-    _s14 = _add(vz, _s13, _r11)
-    _s15 = _subtract(_multiply(left_ny, left_ex, _r12), _multiply(left_nx, left_ey, _r13), _r13)
-    _s16 = _add(_add(_multiply(vx, _s11, _r12), _multiply(vy, _s12, _r14), _r14), _multiply(_s14, _s15, _r12), _r12)
-    _s17 = _negative(_multiply(left_bend_s, _s16, _r14), _r14)
-    _s18 = _multiply(t, _s17, _r15)
-    _s19 = _add(_add(_multiply(vx, left_nx, _r16), _multiply(vy, left_ny, _r17), _r17), _multiply(left_nz, _s14, _r11), _r11)
-    _s20 = _multiply(left_bend_s, _s19, _r17)
-    _s21 = _add(_k64, _multiply(t, _s20, _r16), _r16)
-    _s22 = _add(_add(_multiply(nx, _s11, _r18), _multiply(ny, _s12, _r19), _r19), _multiply(nz, _s15, _r18), _r18)
-    _s23 = _add(_multiply(_s18, _s9, _r19), _multiply(_s21, _s22, _r20), _r20)
-    _s24 = _add(_multiply(vx, left_ex, _r19), _multiply(vy, left_ey, _r21), _r21)
-    _s25 = _multiply(left_nz, left_bend_e, _r19)
-    _s26 = _negative(_multiply(_s25, _s24, _r22), _r22)
-    _s27 = _multiply(t, _s26, _r23)
-    _s28 = _multiply(_multiply(left_bend_e, _s24, _r21), _s15, _r21)
-    _s29 = _multiply(t, _s28, _r24)
-    _s30 = _multiply(left_bend_e, _subtract(_multiply(left_nz, _s16, _r12), _multiply(_s15, _s19, _r11), _r11), _r11)
-    _s31 = _add(_k64, _multiply(t, _s30, _r12), _r12)
-    _s32 = _add(_multiply(nx, left_ex, _r25), _multiply(ny, left_ey, _r26), _r26)
-    _s33 = _add(_add(_multiply(_s27, _s22, _r25), _multiply(_s29, _s9, _r27), _r27), _multiply(_s31, _s32, _r25), _r25)
-    _s34 = _multiply(t, _s9, _r27)
-    _s35 = _multiply(t, _s22, _r28)
-    _s36 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s10, _r29), _r29), _multiply(place_s, _absolute(_s23, _r30), _r30), _r30), _multiply(place_e, _absolute(_s33, _r29), _r29), _r29), _multiply(pace_n, _absolute(_s34, _r30), _r30), _r30), _multiply(pace_s, _absolute(_s35, _r29), _r29), _r29)
-    _s37 = _multiply(t, _s32, _r30)
-    _s38 = _absolute(normal_velocity, _r31)
-    _s39 = _multiply(_k26, _add(_add(root_offset, _multiply(_add(_k65, _multiply(sharpest_bend, _s8, _r32), _r32), _s8, _r32), _r32), _add(_s36, _multiply(pace_e, _absolute(_s37, _r33), _r33), _r33), _r33), _r33)
-    _s40 = _divide(_s39, _s38, _r33)
-    _s41 = _absolute(vz, _r32)
-    _s42 = _add(_k24, _multiply(_k25, _add(_add(_add(_s13, _s0, _r10), _s3, _r10), _s41, _r10), _r10), _r10)
-    _s43 = _add(velocity_bound, _s42, _r29)
-    _s44 = _add(_multiply(p_gravity, _s40, _r34), _s43, _r34)
-    _s45 = _add(_add(_s0, _s3, _r2), _s41, _r2)
-    _s46 = _add(_s44, _s45, _r32)
-    _s47 = _add(_multiply(_s40, _s46, _r0), _s8, _r0)
-    _s48 = _multiply(_k66, sharpest_bend, _r35)
-    _s49 = _multiply(_s48, _s47, _r36)
-    _s50 = _subtract(_multiply(_k28, _add(_multiply(_s49, _s46, _r37), _s44, _r37), _r37), _s38, _r37)
-    _s51 = _subtract(_multiply(_k67, _multiply(sharpest_bend, _s47, _r38), _r38), _k64, _r38)
-    _s52 = _add(_multiply(_s5, _multiply(_s40, _s40, _r39), _r39), _multiply(_s40, _s43, _r29), _r29)
-    _s53 = _divide(_add(_multiply(_k68, _multiply(_s49, _s47, _r39), _r39), _s52, _r39), _s38, _r39)
-    _s54 = _add(_multiply(_s53, _s45, _r40), _s52, _r40)
-    _s55 = _add(_add(root_level, _s54, _r29), _add(_add(_multiply(_absolute(nx, _r41), _s2, _r41), _multiply(_absolute(ny, _r42), _s4, _r42), _r42), _multiply(_absolute(nz, _r41), _s7, _r41), _r41), _r41)
-    _s56 = _select(_s50 < _s51, _s51, _s50, _r29) <= _k29
-    _s57 = _result(_s56, _multiply(_k27, _s55, _r29), _k30, _r0)
-    _s58 = _multiply(nz, tangent_y, _r38)
-    _s59 = _negative(_multiply(nz, tangent_x, _r37), _r37)
-    _s60 = _subtract(_multiply(ny, tangent_x, _r42), _multiply(nx, tangent_y, _r43), _r43)
-    _s61 = _add(_add(_multiply(vx, _s58, _r42), _multiply(vy, _s59, _r44), _r44), _multiply(vz, _s60, _r42), _r42)
-    _s62 = _absolute(_s61, _r44)
-    _s63 = _divide(_add(root_offset, _multiply(_k65, _s8, _r6), _r6), _s38, _r6)
-    _s64 = _add(_multiply(_s62, _s63, _r45), _add(_add(_multiply(_absolute(_s59, _r46), _s4, _r46), _multiply(_absolute(_s58, _r47), _s2, _r47), _r47), _multiply(_absolute(_s60, _r46), _s7, _r46), _r46), _r46)
-    _s65 = _add(_s54, _multiply(_k65, _s47, _r0), _r0)
-    _s66 = _divide(_k64, normal_velocity, _r45)
-    _s67 = _negative(_multiply(_s66, _s10, _r7), _r7)
-    _s68 = _add(_add(_multiply(left_nx, _s58, _r47), _multiply(left_ny, _s59, _r48), _r48), _multiply(left_nz, _s60, _r47), _r47)
-    _s69 = _add(_multiply(_s67, _s61, _r48), _s68, _r48)
-    _s70 = _negative(_multiply(_s66, _s23, _r20), _r20)
-    _s71 = _add(_add(_multiply(_s59, _s12, _r49), _multiply(_s58, _s11, _r50), _r50), _multiply(_s60, _s15, _r49), _r49)
-    _s72 = _add(_multiply(_s70, _s61, _r50), _add(_multiply(_s18, _s68, _r51), _multiply(_s21, _s71, _r52), _r52), _r52)
-    _s73 = _negative(_multiply(_s66, _s33, _r25), _r25)
-    _s74 = _add(_multiply(left_ex, _s58, _r50), _multiply(left_ey, _s59, _r51), _r51)
-    _s75 = _add(_multiply(_s73, _s61, _r50), _add(_add(_multiply(_s27, _s71, _r53), _multiply(_s29, _s68, _r54), _r54), _multiply(_s31, _s74, _r53), _r53), _r53)
-    _s76 = _negative(_multiply(_s66, _s34, _r27), _r27)
-    _s77 = _add(_multiply(_s76, _s61, _r50), _multiply(t, _s68, _r54), _r54)
-    _s78 = _negative(_multiply(_s66, _s35, _r28), _r28)
-    _s79 = _add(_multiply(_s78, _s61, _r50), _multiply(t, _s71, _r55), _r55)
-    _s80 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s69, _r50), _r50), _multiply(place_s, _absolute(_s72, _r56), _r56), _r56), _multiply(place_e, _absolute(_s75, _r50), _r50), _r50), _multiply(pace_n, _absolute(_s77, _r56), _r56), _r56), _multiply(pace_s, _absolute(_s79, _r50), _r50), _r50)
-    _s81 = _negative(_multiply(_s66, _s37, _r45), _r45)
-    _s82 = _add(_multiply(_s81, _s61, _r30), _multiply(t, _s74, _r56), _r56)
-    _s83 = _result(_s56, _multiply(_k27, _add(_add(_s64, _s65, _r30), _add(_s80, _multiply(pace_e, _absolute(_s82, _r57), _r57), _r57), _r57), _r57), _k30, _r0)
-    _s84 = _add(_multiply(vx, tangent_x, _r30), _multiply(vy, tangent_y, _r50), _r50)
-    _s85 = _absolute(_s84, _r30)
-    _s86 = _absolute(_k37)
-    _s87 = _add(_multiply(_s85, _s63, _r58), _add(_add(_multiply(_s86, _s7, _r4), _multiply(_absolute(tangent_x, _r59), _s2, _r59), _r59), _multiply(_absolute(tangent_y, _r4), _s4, _r4), _r4), _r4)
-    _s88 = _add(_multiply(left_nx, tangent_x, _r58), _multiply(left_ny, tangent_y, _r59), _r59)
-    _s89 = _add(_multiply(_s67, _s84, _r58), _s88, _r58)
-    _s90 = _add(_multiply(tangent_x, _s11, _r5), _multiply(tangent_y, _s12, _r3), _r3)
-    _s91 = _add(_multiply(_s70, _s84, _r5), _add(_multiply(_s18, _s88, _r15), _multiply(_s21, _s90, _r16), _r16), _r16)
-    _s92 = _add(_multiply(tangent_x, left_ex, _r5), _multiply(tangent_y, left_ey, _r15), _r15)
-    _s93 = _add(_multiply(_s73, _s84, _r5), _add(_add(_multiply(_s27, _s90, _r23), _multiply(_s29, _s88, _r24), _r24), _multiply(_s31, _s92, _r12), _r12), _r12)
-    _s94 = _add(_multiply(_s76, _s84, _r5), _multiply(t, _s88, _r24), _r24)
-    _s95 = _add(_multiply(_s78, _s84, _r5), _multiply(t, _s90, _r23), _r23)
-    _s96 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s89, _r5), _r5), _multiply(place_s, _absolute(_s91, _r60), _r60), _r60), _multiply(place_e, _absolute(_s93, _r5), _r5), _r5), _multiply(pace_n, _absolute(_s94, _r60), _r60), _r60), _multiply(pace_s, _absolute(_s95, _r5), _r5), _r5)
-    _s97 = _add(_multiply(_s81, _s84, _r60), _multiply(t, _s92, _r61), _r61)
-    _s98 = _result(_s56, _multiply(_k27, _add(_add(_s87, _s65, _r60), _add(_s96, _multiply(pace_e, _absolute(_s97, _r62), _r62), _r62), _r62), _r62), _k30, _r0)
-    _s99 = _add(_multiply(p_gravity, _s63, _r6), _s42, _r6)
-    _s100 = _negative(_multiply(bend_s, _s61, _r10), _r10)
-    _s101 = _multiply(bend_e, _s60, _r60)
-    _s102 = _multiply(_s101, _s84, _r5)
-    _s103 = _add(_s99, _add(_multiply(_absolute(_s100, _r63), _s64, _r63), _multiply(_absolute(_s102, _r64), _s87, _r64), _r64), _r64)
-    _s104 = _k69 + p_restitution
-    _s105 = _multiply(bend_s, _s55, _r41)
-    _s106 = _k70 * p_ball_radius
-    _s107 = _add(normal_rounding, _s105, _r63)
-    _s108 = _add(_add(_absolute(wx, _r65), _absolute(wy, _r66), _r66), _absolute(wz, _r65), _r65)
-    _s109 = _multiply(_multiply(_s106, _s107, _r66), _s108, _r66)
-    _s110 = _multiply(p_ball_radius, _s108, _r67)
-    _s111 = _add(_s110, _s45, _r68)
-    _s112 = _add(_k24, _multiply(_k71, _s111, _r69), _r69)
-    _s113 = _multiply(p_gravity, _s53, _r39)
-    _s114 = _k36 * _s104
-    _s115 = _multiply(_add(bend_s, bend_e, _r70), _s65, _r70)
-    _s116 = _multiply(_s49, _s49, _r0)
-    _s117 = _add(_multiply(_s48, _s54, _r40), _multiply(_k22, _s116, _r35), _r35)
-    _s118 = _add(_add(_add(_s113, _multiply(_s49, _add(_multiply(spin_bound, _s106, _r40), _multiply(_s114, _s44, _r71), _r71), _r71), _r71), _multiply(_s115, _s111, _r40), _r40), _multiply(_s117, _add(_multiply(_s106, _s108, _r71), _multiply(_s114, _s45, _r72), _r72), _r72), _r72)
-    _s119 = _multiply(_k65, _add(_add(_multiply(p_ball_radius, spin_bound, _r40), _multiply(_s49, _add(_s110, _multiply(_k72, _s45, _r71), _r71), _r71), _r71), _multiply(_k22, _s44, _r40), _r40), _r40)
-    _s120 = _add(_add(_s118, _multiply(_multiply(_s116, _s104, _r71), _s46, _r71), _r71), _s119, _r71)
-    _s121 = _add(_add(_multiply(p_restitution, _s103, _r72), _multiply(_s104, _add(_multiply(normal_rounding, _add(_s45, _s38, _r32), _r32), _multiply(_multiply(_k22, _s105, _r41), _s38, _r41), _r41), _r41), _r41), _add(_add(_s109, _s112, _r72), _s120, _r72), _r72)
-    _s122 = _negative(_multiply(p_gravity, nz, _r41), _r41)
-    _s123 = _absolute(_negative(_multiply(p_restitution, _subtract(_subtract(_multiply(_s122, _s67, _r32), _multiply(_s100, _s69, _r67), _r67), _multiply(_s102, _s89, _r32), _r32), _r32), _r32), _r32)
-    _s124 = _multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s122, _s70, _r67), _add(_multiply(_s20, _s22, _r73), _multiply(_s17, _s9, _r74), _r74), _r74), _multiply(_s100, _s72, _r67), _r67), _multiply(_s102, _s91, _r74), _r74), _r74)
-    _s125 = _subtract(_subtract(_add(_multiply(_s122, _s73, _r67), _add(_add(_multiply(_s30, _s32, _r73), _multiply(_s26, _s22, _r75), _r75), _multiply(_s28, _s9, _r73), _r73), _r73), _multiply(_s100, _s75, _r67), _r67), _multiply(_s102, _s93, _r73), _r73)
-    _s126 = _negative(_multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s122, _s76, _r67), _s9, _r67), _multiply(_s100, _s77, _r75), _r75), _multiply(_s102, _s94, _r67), _r67), _r67), _r67)
-    _s127 = _add(_add(_add(_multiply(place_n, _s123, _r32), _multiply(place_s, _absolute(_negative(_s124, _r74), _r74), _r74), _r74), _multiply(place_e, _absolute(_negative(_multiply(p_restitution, _s125, _r73), _r73), _r73), _r73), _r73), _multiply(pace_n, _absolute(_s126, _r67), _r67), _r67)
-    _s128 = _negative(_multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s122, _s78, _r73), _s22, _r73), _multiply(_s100, _s79, _r74), _r74), _multiply(_s102, _s95, _r73), _r73), _r73), _r73)
-    _s129 = _negative(_multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s122, _s81, _r41), _s32, _r41), _multiply(_s100, _s82, _r10), _r10), _multiply(_s102, _s97, _r5), _r5), _r5), _r5)
-    _s130 = _multiply(_k27, _add(_s121, _add(_add(_s127, _multiply(pace_s, _absolute(_s128, _r73), _r73), _r73), _multiply(pace_e, _absolute(_s129, _r5), _r5), _r5), _r5), _r5)
-    _s131 = _result(_s56, _s130, _k30, _r0)
-    _s132 = _multiply(_s86, _s64, _r72)
-    _s133 = _add(_add(_multiply(wx, _s58, _r38), _multiply(wy, _s59, _r37), _r37), _multiply(wz, _s60, _r38), _r38)
-    _s134 = _add(_add(_multiply(nx, wx, _r37), _multiply(ny, wy, _r73), _r73), _multiply(nz, wz, _r37), _r37)
-    _s135 = _multiply(bend_e, _subtract(_multiply(nz, _s133, _r73), _multiply(_s60, _s134, _r67), _r67), _r67)
-    _s136 = _add(_s132, _multiply(_absolute(_s135, _r73), _s87, _r73), _r73)
-    _s137 = _multiply(bend_s, normal_velocity, _r10)
-    _s138 = _multiply(nz, bend_e, _r41)
-    _s139 = _negative(_multiply(_s138, _s84, _r50), _r50)
-    _s140 = _add(_s99, _add(_multiply(_absolute(_s137, _r74), _s64, _r74), _multiply(_absolute(_s139, _r32), _s87, _r32), _r32), _r32)
-    _s141 = _add(_add(_add(_multiply(_multiply(normal_rounding, _s104, _r74), _s38, _r74), _s109, _r74), _s112, _r74), _s120, _r74)
-    _s142 = _negative(_multiply(p_gravity, _s60, _r71), _r71)
-    _s143 = _absolute(_add(_multiply(_s106, _negative(_multiply(_s135, _s89, _r66), _r66), _r66), _multiply(_k73, _subtract(_subtract(_multiply(_s142, _s67, _r7), _multiply(_s137, _s69, _r31), _r31), _multiply(_s139, _s89, _r7), _r7), _r7), _r7), _r7)
-    _s144 = _add(_add(_multiply(wx, left_nx, _r66), _multiply(wy, left_ny, _r31), _r31), _multiply(wz, left_nz, _r66), _r66)
-    _s145 = _multiply(left_bend_s, _s144, _r31)
-    _s146 = _add(_add(_multiply(wx, _s11, _r8), _multiply(wy, _s12, _r9), _r9), _multiply(wz, _s15, _r8), _r8)
-    _s147 = _negative(_multiply(left_bend_s, _s146, _r9), _r9)
-    _s148 = _multiply(_k73, _subtract(_subtract(_add(_multiply(_s142, _s70, _r20), _add(_multiply(_s20, _s71, _r75), _multiply(_s17, _s68, _r76), _r76), _r76), _multiply(_s137, _s72, _r20), _r20), _multiply(_s139, _s91, _r76), _r76), _r76)
-    _s149 = _absolute(_add(_multiply(_s106, _subtract(_add(_multiply(_s145, _s90, _r20), _multiply(_s147, _s88, _r75), _r75), _multiply(_s135, _s91, _r20), _r20), _r20), _s148, _r76), _r76)
-    _s150 = _multiply(left_bend_e, _subtract(_multiply(left_nz, _s146, _r8), _multiply(_s15, _s144, _r66), _r66), _r66)
-    _s151 = _add(_multiply(wx, left_ex, _r8), _multiply(wy, left_ey, _r20), _r20)
-    _s152 = _negative(_multiply(_s25, _s151, _r19), _r19)
-    _s153 = _multiply(_multiply(left_bend_e, _s151, _r20), _s15, _r20)
-    _s154 = _subtract(_subtract(_add(_multiply(_s142, _s73, _r25), _add(_add(_multiply(_s30, _s74, _r13), _multiply(_s26, _s71, _r8), _r8), _multiply(_s28, _s68, _r13), _r13), _r13), _multiply(_s137, _s75, _r25), _r25), _multiply(_s139, _s93, _r13), _r13)
-    _s155 = _add(_multiply(_s106, _subtract(_add(_add(_multiply(_s150, _s92, _r25), _multiply(_s152, _s90, _r8), _r8), _multiply(_s153, _s88, _r25), _r25), _multiply(_s135, _s93, _r8), _r8), _r8), _multiply(_k73, _s154, _r13), _r13)
-    _s156 = _add(_multiply(_s106, _negative(_multiply(_s135, _s94, _r8), _r8), _r8), _multiply(_k73, _subtract(_subtract(_add(_multiply(_s142, _s76, _r27), _s68, _r27), _multiply(_s137, _s77, _r25), _r25), _multiply(_s139, _s94, _r27), _r27), _r27), _r27)
-    _s157 = _k74 / p_ball_radius
-    _s158 = _add(_multiply(_s106, _subtract(_multiply(_s157, _s92, _r8), _multiply(_s135, _s95, _r25), _r25), _r25), _multiply(_k73, _subtract(_subtract(_add(_multiply(_s142, _s78, _r28), _s71, _r28), _multiply(_s137, _s79, _r8), _r8), _multiply(_s139, _s95, _r28), _r28), _r28), _r28)
-    _s159 = _add(_multiply(_s106, _subtract(_negative(_multiply(_s157, _s90, _r25), _r25), _multiply(_s135, _s97, _r67), _r67), _r67), _multiply(_k73, _subtract(_subtract(_add(_multiply(_s142, _s81, _r71), _s74, _r71), _multiply(_s137, _s82, _r10), _r10), _multiply(_s139, _s97, _r50), _r50), _r50), _r50)
-    _s160 = _add(_add(_add(_add(_add(_multiply(place_n, _s143, _r7), _multiply(place_s, _s149, _r76), _r76), _multiply(place_e, _absolute(_s155, _r13), _r13), _r13), _multiply(pace_n, _absolute(_s156, _r27), _r27), _r27), _multiply(pace_s, _absolute(_s158, _r28), _r28), _r28), _multiply(pace_e, _absolute(_s159, _r50), _r50), _r50)
-    _s161 = _add(_add(_add(_s160, _multiply(turn_n, _absolute(_multiply(_s106, _s88, _r28), _r28), _r28), _r28), _multiply(turn_z, _absolute(_multiply(_s106, _s92, _r50), _r50), _r50), _r50), _multiply(turn_z, _absolute(_multiply(_s106, _s90, _r28), _r28), _r28), _r28)
-    _s162 = _result(_s56, _multiply(_k27, _add(_add(_add(_multiply(_s106, _s136, _r50), _multiply(_k73, _s140, _r27), _r27), _s141, _r27), _s161, _r28), _r28), _k30, _r0)
-    _s163 = _multiply(bend_s, _s134, _r37)
-    _s164 = _add(_multiply(wx, tangent_x, _r27), _multiply(wy, tangent_y, _r50), _r50)
-    _s165 = _negative(_multiply(_s138, _s164, _r41), _r41)
-    _s166 = _add(_multiply(_absolute(_s163, _r27), _s64, _r27), _multiply(_absolute(_s165, _r13), _s87, _r13), _r13)
-    _s167 = _multiply(bend_e, _subtract(_multiply(nz, _s61, _r42), _multiply(normal_velocity, _s60, _r43), _r43), _r43)
-    _s168 = _add(_s99, _add(_s132, _multiply(_absolute(_s167, _r42), _s87, _r42), _r42), _r42)
-    _s169 = _absolute(_subtract(_multiply(_k73, _negative(_multiply(_s167, _s89, _r6), _r6), _r6), _multiply(_s106, _negative(_add(_multiply(_s163, _s69, _r72), _multiply(_s165, _s89, _r27), _r27), _r27), _r27), _r27), _r27)
-    _s170 = _subtract(_multiply(_k73, _subtract(_add(_multiply(_s20, _s90, _r17), _multiply(_s17, _s88, _r14), _r14), _multiply(_s167, _s91, _r17), _r17), _r17), _multiply(_s106, _subtract(_subtract(_add(_multiply(_s145, _s71, _r14), _multiply(_s147, _s68, _r6), _r6), _multiply(_s163, _s72, _r14), _r14), _multiply(_s165, _s91, _r6), _r6), _r6), _r6)
-    _s171 = _multiply(_s106, _subtract(_subtract(_add(_add(_multiply(_s150, _s74, _r17), _multiply(_s152, _s71, _r14), _r14), _multiply(_s153, _s68, _r17), _r17), _multiply(_s163, _s75, _r14), _r14), _multiply(_s165, _s93, _r17), _r17), _r17)
-    _s172 = _subtract(_multiply(_k73, _subtract(_add(_add(_multiply(_s30, _s92, _r11), _multiply(_s26, _s90, _r22), _r22), _multiply(_s28, _s88, _r21), _r21), _multiply(_s167, _s93, _r22), _r22), _r22), _s171, _r17)
-    _s173 = _absolute(_subtract(_multiply(_k73, _subtract(_s88, _multiply(_s167, _s94, _r22), _r22), _r22), _multiply(_s106, _negative(_add(_multiply(_s163, _s77, _r59), _multiply(_s165, _s94, _r21), _r21), _r21), _r21), _r21), _r21)
-    _s174 = _absolute(_subtract(_multiply(_k73, _subtract(_s90, _multiply(_s167, _s95, _r22), _r22), _r22), _multiply(_s106, _subtract(_subtract(_multiply(_s157, _s74, _r3), _multiply(_s163, _s79, _r59), _r59), _multiply(_s165, _s95, _r3), _r3), _r3), _r3), _r3)
-    _s175 = _add(_add(_add(_add(_multiply(place_n, _s169, _r27), _multiply(place_s, _absolute(_s170, _r6), _r6), _r6), _multiply(place_e, _absolute(_s172, _r17), _r17), _r17), _multiply(pace_n, _s173, _r21), _r21), _multiply(pace_s, _s174, _r3), _r3)
-    _s176 = _subtract(_multiply(_k73, _subtract(_s92, _multiply(_s167, _s97, _r43), _r43), _r43), _multiply(_s106, _subtract(_subtract(_negative(_multiply(_s157, _s71, _r15), _r15), _multiply(_s163, _s82, _r37), _r37), _multiply(_s165, _s97, _r41), _r41), _r41), _r41)
-    _s177 = _add(_add(_add(_s175, _multiply(pace_e, _absolute(_s176, _r41), _r41), _r41), _multiply(turn_n, _absolute(_negative(_multiply(_s106, _s68, _r47), _r47), _r47), _r47), _r47), _multiply(turn_z, _absolute(_negative(_multiply(_s106, _s74, _r51), _r51), _r51), _r51), _r51)
-    _s178 = _add(_add(_add(_multiply(_s106, _s166, _r47), _multiply(_k73, _s168, _r41), _r41), _s141, _r41), _add(_s177, _multiply(turn_z, _absolute(_negative(_multiply(_s106, _s71, _r49), _r49), _r49), _r49), _r49), _r49)
-    _s179 = _result(_s56, _multiply(_k27, _s178, _r49), _k30, _r0)
-    _s180 = _negative(_multiply(bend_s, _s133, _r38), _r38)
-    _s181 = _multiply(_s101, _s164, _r50)
-    _s182 = _add(_multiply(_absolute(_s180, _r60), _s64, _r60), _multiply(_absolute(_s181, _r46), _s87, _r46), _r46)
-    _s183 = _k69 * _s157
-    _s184 = _add(_multiply(_s157, _s45, _r60), _s108, _r60)
-    _s185 = _add(_add(_add(_multiply(_s157, _add(_s113, _s119, _r40), _r40), _multiply(_s49, _add(_multiply(_k22, spin_bound, _r39), _multiply(_s183, _s44, _r34), _r34), _r34), _r34), _multiply(_s116, _add(spin_bound, _s108, _r40), _r40), _r40), _multiply(_s115, _s184, _r70), _r70)
-    _s186 = _add(_add(_s185, _multiply(_s117, _add(_multiply(_s183, _s45, _r2), _multiply(_k22, _s108, _r40), _r40), _r40), _r40), _multiply(_k65, _add(spin_bound, _multiply(_s49, _s108, _r36), _r36), _r36), _r36)
-    _s187 = _multiply(place_s, _absolute(_subtract(_subtract(_add(_multiply(_s145, _s22, _r31), _multiply(_s147, _s9, _r9), _r9), _multiply(_s180, _s72, _r52), _r52), _multiply(_s181, _s91, _r16), _r16), _r16), _r16)
-    _s188 = _add(_multiply(place_n, _absolute(_negative(_add(_multiply(_s180, _s69, _r48), _multiply(_s181, _s89, _r58), _r58), _r58), _r58), _r58), _s187, _r16)
-    _s189 = _absolute(_subtract(_subtract(_add(_add(_multiply(_s150, _s32, _r66), _multiply(_s152, _s22, _r19), _r19), _multiply(_s153, _s9, _r20), _r20), _multiply(_s180, _s75, _r53), _r53), _multiply(_s181, _s93, _r12), _r12), _r12)
-    _s190 = _add(_add(_s188, _multiply(place_e, _s189, _r12), _r12), _multiply(pace_n, _absolute(_negative(_add(_multiply(_s180, _s77, _r54), _multiply(_s181, _s94, _r24), _r24), _r24), _r24), _r24), _r24)
-    _s191 = _add(_s190, _multiply(pace_s, _absolute(_subtract(_subtract(_multiply(_s157, _s32, _r12), _multiply(_s180, _s79, _r55), _r55), _multiply(_s181, _s95, _r23), _r23), _r23), _r23), _r23)
-    _s192 = _multiply(pace_e, _absolute(_subtract(_subtract(_negative(_multiply(_s157, _s22, _r24), _r24), _multiply(_s180, _s82, _r38), _r38), _multiply(_s181, _s97, _r50), _r50), _r50), _r50)
-    _s193 = _add(_add(_add(_add(_multiply(_s157, _s112, _r38), _multiply(_k22, _multiply(_s107, _s108, _r61), _r61), _r61), _s182, _r61), _s186, _r61), _add(_add(_add(_add(_s191, _s192, _r50), _multiply(turn_n, _absolute(_s9, _r1), _r1), _r1), _multiply(turn_z, _absolute(_s32, _r26), _r26), _r26), _multiply(turn_z, _absolute(_s22, _r18), _r18), _r18), _r18)
-    _s194 = _result(_s56, _multiply(_k27, _s193, _r18), _k30, _r0)
-    _s195 = _add(_multiply(_s157, _add(_s112, _s141, _r74), _r74), _multiply(_k22, _multiply(_s107, _add(_multiply(_s183, _add(_s85, _s62, _r30), _r30), _s108, _r30), _r30), _r30), _r30)
-    _s196 = _select(_s103 < _s140, _s140, _s103, _r74)
-    _s197 = _select(_s182 < _s166, _s166, _s182, _r63)
-    _s198 = _multiply(_k27, _add(_add(_s195, _add(_multiply(_s157, _select(_s196 < _s168, _s168, _s196, _r65), _r65), _select(_s197 < _s136, _s136, _s197, _r74), _r74), _r74), _s186, _r74), _r74)
-    _s199 = _result(_s56, _s198, _k30, _r0)
-    _s200 = _add(_multiply(bend_s, _s83, _r36), _multiply(bend_e, _s98, _r30), _r30)
-    _s201 = _add(_s162, _s179, _r49)
-    return _s57, _s83, _s98, _s131, _s162, _s179, _s194, _s199, _k27 * _add(_add(_s57, _s98, _r62), _s83, _r62), _k27 * _add(_add(_multiply(_s111, _s200, _r68), _s201, _r68), _s131, _r68), _k27 * _add(_add(_add(_divide(_s201, p_ball_radius, _r49), _multiply(_s200, _s184, _r30), _r30), _multiply(_k22, _s199, _r74), _r74), _s194, _r74), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r74), _r74) + _select(_s56, _multiply(_k27, _s40, _r33), _k30, _r18)
+    _s0 = _negative(_multiply(p_gravity, nz, _r0), _r0)
+    _s1 = _absolute(vx, _r1)
+    _s2 = _multiply(_k22, t, _r2)
+    _s3 = _add(_k24, _multiply(_k25, _add(_multiply(_s2, _s1, _r3), _absolute(x, _r4), _r4), _r4), _r4)
+    _s4 = _absolute(vy, _r3)
+    _s5 = _add(_k24, _multiply(_k25, _add(_multiply(_s2, _s4, _r5), _absolute(y, _r6), _r6), _r6), _r6)
+    _s6 = _k23 * p_gravity
+    _s7 = _add(_add(_multiply(_s6, _multiply(t, t, _r5), _r5), _multiply(_s2, _absolute(_add(vz, _multiply(_s6, t, _r7), _r7), _r7), _r7), _r7), _absolute(z, _r5), _r5)
+    _s8 = _add(_k24, _multiply(_k25, _s7, _r5), _r5)
+    _s9 = _add(_add(_add(position_bound, _multiply(t, velocity_bound, _r7), _r7), _add(_add(_s3, _s5, _r2), _s8, _r2), _r2), _select(root_offset < root_level, root_level, root_offset, _r7), _r7)
+    _s10 = _add(_add(_multiply(nx, left_nx, _r2), _multiply(ny, left_ny, _r8), _r8), _multiply(nz, left_nz, _r2), _r2)
+    _s11 = _subtract(_s10, back, _r8)
+    _s12 = _multiply(left_nz, left_ey, _r9)
+    _s13 = _negative(_multiply(left_nz, left_ex, _r10), _r10)
+    _s14 = _multiply(p_gravity, t, _r11)
+    _s15 = _add(vz, _s14, _r12)
+    _s16 = _subtract(_multiply(left_ny, left_ex, _r13), _multiply(left_nx, left_ey, _r14), _r14)
+    _s17 = _add(_add(_multiply(vx, _s12, _r13), _multiply(vy, _s13, _r15), _r15), _multiply(_s15, _s16, _r13), _r13)
+    _s18 = _negative(_multiply(left_bend_s, _s17, _r15), _r15)
+    _s19 = _multiply(t, _s18, _r16)
+    _s20 = _add(_add(_multiply(vx, left_nx, _r17), _multiply(vy, left_ny, _r18), _r18), _multiply(left_nz, _s15, _r12), _r12)
+    _s21 = _multiply(left_bend_s, _s20, _r18)
+    _s22 = _add(_k64, _multiply(t, _s21, _r17), _r17)
+    _s23 = _add(_add(_multiply(nx, _s12, _r19), _multiply(ny, _s13, _r20), _r20), _multiply(nz, _s16, _r19), _r19)
+    _s24 = _add(_multiply(_s19, _s10, _r20), _multiply(_s22, _s23, _r21), _r21)
+    _s25 = _add(_multiply(vx, left_ex, _r20), _multiply(vy, left_ey, _r22), _r22)
+    _s26 = _multiply(left_nz, left_bend_e, _r20)
+    _s27 = _negative(_multiply(_s26, _s25, _r23), _r23)
+    _s28 = _multiply(t, _s27, _r24)
+    _s29 = _multiply(_multiply(left_bend_e, _s25, _r22), _s16, _r22)
+    _s30 = _multiply(t, _s29, _r25)
+    _s31 = _multiply(left_bend_e, _subtract(_multiply(left_nz, _s17, _r13), _multiply(_s16, _s20, _r12), _r12), _r12)
+    _s32 = _add(_k64, _multiply(t, _s31, _r13), _r13)
+    _s33 = _add(_multiply(nx, left_ex, _r26), _multiply(ny, left_ey, _r27), _r27)
+    _s34 = _add(_add(_multiply(_s28, _s23, _r26), _multiply(_s30, _s10, _r28), _r28), _multiply(_s32, _s33, _r26), _r26)
+    _s35 = _multiply(t, _s10, _r28)
+    _s36 = _multiply(t, _s23, _r29)
+    _s37 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s11, _r30), _r30), _multiply(place_s, _absolute(_s24, _r31), _r31), _r31), _multiply(place_e, _absolute(_s34, _r30), _r30), _r30), _multiply(pace_n, _absolute(_s35, _r31), _r31), _r31), _multiply(pace_s, _absolute(_s36, _r30), _r30), _r30)
+    _s38 = _multiply(t, _s33, _r31)
+    _s39 = _multiply(_s14, _add(_multiply(place_s, left_bend_s, _r32), _multiply(place_e, left_bend_e, _r33), _r33), _r33)
+    _s40 = _multiply(_k65, _add(_multiply(t, _s39, _r32), _s9, _r32), _r32)
+    _s41 = _add(_add(_add(root_offset, _multiply(_multiply(_k66, _multiply(sharpest_bend, _s9, _r34), _r34), _s9, _r34), _r34), _add(_s37, _multiply(pace_e, _absolute(_s38, _r35), _r35), _r35), _r35), _s40, _r35)
+    _s42 = _absolute(normal_velocity, _r34)
+    _s43 = _divide(_multiply(_k26, _s41, _r35), _s42, _r35)
+    _s44 = _absolute(vz, _r30)
+    _s45 = _add(_k24, _multiply(_k25, _add(_add(_add(_s14, _s1, _r11), _s4, _r11), _s44, _r11), _r11), _r11)
+    _s46 = _add(velocity_bound, _s45, _r36)
+    _s47 = _add(_multiply(p_gravity, _s43, _r37), _s46, _r37)
+    _s48 = _add(_add(_s1, _s4, _r3), _s44, _r3)
+    _s49 = _add(_s47, _s48, _r30)
+    _s50 = _add(_multiply(_s43, _s49, _r1), _s9, _r1)
+    _s51 = _multiply(_k66, sharpest_bend, _r7)
+    _s52 = _multiply(_s51, _s50, _r38)
+    _s53 = _subtract(_multiply(_k28, _add(_add(_multiply(_absolute(_s0, _r39), _s43, _r39), _multiply(_s52, _s49, _r40), _r40), _s46, _r40), _r40), _s42, _r40)
+    _s54 = _subtract(_multiply(_k67, _multiply(sharpest_bend, _s50, _r39), _r39), _k64, _r39)
+    _s55 = _select(_s53 < _s54, _s54, _s53, _r41)
+    _s56 = _add(_multiply(_s6, _multiply(_s43, _s43, _r42), _r42), _multiply(_s43, _s46, _r36), _r36)
+    _s57 = _divide(_add(_multiply(_s52, _s50, _r42), _s56, _r42), _s42, _r42)
+    _s58 = _add(_multiply(_s57, _s48, _r43), _s56, _r43)
+    _s59 = _add(_add(root_level, _s58, _r36), _add(_add(_multiply(_absolute(nx, _r44), _s3, _r44), _multiply(_absolute(ny, _r45), _s5, _r45), _r45), _multiply(_absolute(nz, _r44), _s8, _r44), _r44), _r44)
+    _s60 = _multiply(bend_s, _s59, _r36)
+    _s61 = _subtract(_multiply(_k68, _s60, _r45), _k64, _r45)
+    _s62 = _select(_s55 < _s61, _s61, _s55, _r46) <= _k29
+    _s63 = _result(_s62, _multiply(_k27, _s59, _r44), _k30, _r0)
+    _s64 = _multiply(nz, tangent_y, _r46)
+    _s65 = _negative(_multiply(nz, tangent_x, _r45), _r45)
+    _s66 = _subtract(_multiply(ny, tangent_x, _r41), _multiply(nx, tangent_y, _r39), _r39)
+    _s67 = _add(_add(_multiply(vx, _s64, _r41), _multiply(vy, _s65, _r40), _r40), _multiply(vz, _s66, _r41), _r41)
+    _s68 = _absolute(_s67, _r40)
+    _s69 = _divide(_add(root_offset, _s40, _r47), _s42, _r47)
+    _s70 = _add(_multiply(_s68, _s69, _r48), _add(_add(_multiply(_absolute(_s65, _r49), _s5, _r49), _multiply(_absolute(_s64, _r50), _s3, _r50), _r50), _multiply(_absolute(_s66, _r49), _s8, _r49), _r49), _r49)
+    _s71 = _add(_add(_s58, _multiply(_k65, _s50, _r1), _r1), _s40, _r1)
+    _s72 = _divide(_k64, normal_velocity, _r32)
+    _s73 = _negative(_multiply(_s72, _s11, _r8), _r8)
+    _s74 = _add(_add(_multiply(left_nx, _s64, _r48), _multiply(left_ny, _s65, _r50), _r50), _multiply(left_nz, _s66, _r48), _r48)
+    _s75 = _add(_multiply(_s73, _s67, _r50), _s74, _r50)
+    _s76 = _negative(_multiply(_s72, _s24, _r21), _r21)
+    _s77 = _add(_add(_multiply(_s65, _s13, _r51), _multiply(_s64, _s12, _r52), _r52), _multiply(_s66, _s16, _r51), _r51)
+    _s78 = _add(_multiply(_s76, _s67, _r52), _add(_multiply(_s19, _s74, _r53), _multiply(_s22, _s77, _r54), _r54), _r54)
+    _s79 = _negative(_multiply(_s72, _s34, _r26), _r26)
+    _s80 = _add(_multiply(left_ex, _s64, _r52), _multiply(left_ey, _s65, _r53), _r53)
+    _s81 = _add(_multiply(_s79, _s67, _r52), _add(_add(_multiply(_s28, _s77, _r55), _multiply(_s30, _s74, _r56), _r56), _multiply(_s32, _s80, _r55), _r55), _r55)
+    _s82 = _negative(_multiply(_s72, _s35, _r28), _r28)
+    _s83 = _add(_multiply(_s82, _s67, _r52), _multiply(t, _s74, _r56), _r56)
+    _s84 = _negative(_multiply(_s72, _s36, _r29), _r29)
+    _s85 = _add(_multiply(_s84, _s67, _r52), _multiply(t, _s77, _r57), _r57)
+    _s86 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s75, _r52), _r52), _multiply(place_s, _absolute(_s78, _r58), _r58), _r58), _multiply(place_e, _absolute(_s81, _r52), _r52), _r52), _multiply(pace_n, _absolute(_s83, _r58), _r58), _r58), _multiply(pace_s, _absolute(_s85, _r52), _r52), _r52)
+    _s87 = _negative(_multiply(_s72, _s38, _r32), _r32)
+    _s88 = _add(_multiply(_s87, _s67, _r31), _multiply(t, _s80, _r58), _r58)
+    _s89 = _result(_s62, _multiply(_k27, _add(_add(_s70, _s71, _r31), _add(_s86, _multiply(pace_e, _absolute(_s88, _r59), _r59), _r59), _r59), _r59), _k30, _r0)
+    _s90 = _add(_multiply(vx, tangent_x, _r31), _multiply(vy, tangent_y, _r52), _r52)
+    _s91 = _absolute(_s90, _r31)
+    _s92 = _absolute(_k37)
+    _s93 = _add(_multiply(_s91, _s69, _r60), _add(_add(_multiply(_s92, _s8, _r5), _multiply(_absolute(tangent_x, _r61), _s3, _r61), _r61), _multiply(_absolute(tangent_y, _r5), _s5, _r5), _r5), _r5)
+    _s94 = _add(_multiply(left_nx, tangent_x, _r60), _multiply(left_ny, tangent_y, _r61), _r61)
+    _s95 = _add(_multiply(_s73, _s90, _r60), _s94, _r60)
+    _s96 = _add(_multiply(tangent_x, _s12, _r6), _multiply(tangent_y, _s13, _r4), _r4)
+    _s97 = _add(_multiply(_s76, _s90, _r6), _add(_multiply(_s19, _s94, _r16), _multiply(_s22, _s96, _r17), _r17), _r17)
+    _s98 = _add(_multiply(tangent_x, left_ex, _r6), _multiply(tangent_y, left_ey, _r16), _r16)
+    _s99 = _add(_multiply(_s79, _s90, _r6), _add(_add(_multiply(_s28, _s96, _r24), _multiply(_s30, _s94, _r25), _r25), _multiply(_s32, _s98, _r13), _r13), _r13)
+    _s100 = _add(_multiply(_s82, _s90, _r6), _multiply(t, _s94, _r25), _r25)
+    _s101 = _add(_multiply(_s84, _s90, _r6), _multiply(t, _s96, _r24), _r24)
+    _s102 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s95, _r6), _r6), _multiply(place_s, _absolute(_s97, _r62), _r62), _r62), _multiply(place_e, _absolute(_s99, _r6), _r6), _r6), _multiply(pace_n, _absolute(_s100, _r62), _r62), _r62), _multiply(pace_s, _absolute(_s101, _r6), _r6), _r6)
+    _s103 = _add(_multiply(_s87, _s90, _r62), _multiply(t, _s98, _r63), _r63)
+    _s104 = _result(_s62, _multiply(_k27, _add(_add(_s93, _s71, _r62), _add(_s102, _multiply(pace_e, _absolute(_s103, _r64), _r64), _r64), _r64), _r64), _k30, _r0)
+    _s105 = _add(_multiply(p_gravity, _s69, _r47), _s45, _r47)
+    _s106 = _negative(_multiply(bend_s, _s67, _r11), _r11)
+    _s107 = _multiply(bend_e, _s66, _r62)
+    _s108 = _multiply(_s107, _s90, _r6)
+    _s109 = _add(_s105, _add(_multiply(_absolute(_s106, _r65), _s70, _r65), _multiply(_absolute(_s108, _r66), _s93, _r66), _r66), _r66)
+    _s110 = _k69 + p_restitution
+    _s111 = _k70 * p_ball_radius
+    _s112 = _add(normal_rounding, _s60, _r65)
+    _s113 = _add(_add(_absolute(wx, _r67), _absolute(wy, _r68), _r68), _absolute(wz, _r67), _r67)
+    _s114 = _multiply(_multiply(_s111, _s112, _r68), _s113, _r68)
+    _s115 = _multiply(p_ball_radius, _s113, _r69)
+    _s116 = _add(_s115, _s48, _r70)
+    _s117 = _add(_k24, _multiply(_k71, _s116, _r71), _r71)
+    _s118 = _multiply(p_gravity, _s57, _r42)
+    _s119 = _k36 * _s110
+    _s120 = _multiply(_add(bend_s, bend_e, _r72), _s71, _r72)
+    _s121 = _multiply(_s52, _s52, _r1)
+    _s122 = _add(_multiply(_s51, _s58, _r43), _multiply(_k22, _s121, _r7), _r7)
+    _s123 = _add(_add(_add(_s118, _multiply(_s52, _add(_multiply(spin_bound, _s111, _r43), _multiply(_s119, _s47, _r73), _r73), _r73), _r73), _multiply(_s120, _s116, _r43), _r43), _multiply(_s122, _add(_multiply(_s111, _s113, _r73), _multiply(_s119, _s48, _r74), _r74), _r74), _r74)
+    _s124 = _multiply(_k65, _add(_add(_multiply(p_ball_radius, spin_bound, _r43), _multiply(_s52, _add(_s115, _multiply(_k72, _s48, _r73), _r73), _r73), _r73), _multiply(_k22, _add(_s39, _s47, _r33), _r33), _r33), _r33)
+    _s125 = _add(_add(_s123, _multiply(_multiply(_s121, _s110, _r73), _s49, _r73), _r73), _s124, _r73)
+    _s126 = _add(_add(_multiply(p_restitution, _s109, _r74), _multiply(_s110, _add(_multiply(normal_rounding, _add(_s48, _s42, _r30), _r30), _multiply(_multiply(_k22, _s60, _r36), _s42, _r36), _r36), _r36), _r36), _add(_add(_s114, _s117, _r74), _s125, _r74), _r74)
+    _s127 = _absolute(_negative(_multiply(p_restitution, _subtract(_subtract(_multiply(_s0, _s73, _r36), _multiply(_s106, _s75, _r30), _r30), _multiply(_s108, _s95, _r36), _r36), _r36), _r36), _r36)
+    _s128 = _multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s0, _s76, _r30), _add(_multiply(_s21, _s23, _r43), _multiply(_s18, _s10, _r69), _r69), _r69), _multiply(_s106, _s78, _r30), _r30), _multiply(_s108, _s97, _r69), _r69), _r69)
+    _s129 = _subtract(_subtract(_add(_multiply(_s0, _s79, _r30), _add(_add(_multiply(_s31, _s33, _r43), _multiply(_s27, _s23, _r75), _r75), _multiply(_s29, _s10, _r43), _r43), _r43), _multiply(_s106, _s81, _r30), _r30), _multiply(_s108, _s99, _r43), _r43)
+    _s130 = _negative(_multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s0, _s82, _r30), _s10, _r30), _multiply(_s106, _s83, _r75), _r75), _multiply(_s108, _s100, _r30), _r30), _r30), _r30)
+    _s131 = _add(_add(_add(_multiply(place_n, _s127, _r36), _multiply(place_s, _absolute(_negative(_s128, _r69), _r69), _r69), _r69), _multiply(place_e, _absolute(_negative(_multiply(p_restitution, _s129, _r43), _r43), _r43), _r43), _r43), _multiply(pace_n, _absolute(_s130, _r30), _r30), _r30)
+    _s132 = _negative(_multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s0, _s84, _r43), _s23, _r43), _multiply(_s106, _s85, _r69), _r69), _multiply(_s108, _s101, _r43), _r43), _r43), _r43)
+    _s133 = _negative(_multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s0, _s87, _r0), _s33, _r0), _multiply(_s106, _s88, _r11), _r11), _multiply(_s108, _s103, _r6), _r6), _r6), _r6)
+    _s134 = _multiply(_k27, _add(_s126, _add(_add(_s131, _multiply(pace_s, _absolute(_s132, _r43), _r43), _r43), _multiply(pace_e, _absolute(_s133, _r6), _r6), _r6), _r6), _r6)
+    _s135 = _result(_s62, _s134, _k30, _r0)
+    _s136 = _multiply(_s92, _s70, _r74)
+    _s137 = _add(_add(_multiply(wx, _s64, _r46), _multiply(wy, _s65, _r45), _r45), _multiply(wz, _s66, _r46), _r46)
+    _s138 = _add(_add(_multiply(nx, wx, _r45), _multiply(ny, wy, _r43), _r43), _multiply(nz, wz, _r45), _r45)
+    _s139 = _multiply(bend_e, _subtract(_multiply(nz, _s137, _r43), _multiply(_s66, _s138, _r30), _r30), _r30)
+    _s140 = _add(_s136, _multiply(_absolute(_s139, _r43), _s93, _r43), _r43)
+    _s141 = _multiply(bend_s, normal_velocity, _r11)
+    _s142 = _multiply(nz, bend_e, _r0)
+    _s143 = _negative(_multiply(_s142, _s90, _r52), _r52)
+    _s144 = _add(_s105, _add(_multiply(_absolute(_s141, _r69), _s70, _r69), _multiply(_absolute(_s143, _r36), _s93, _r36), _r36), _r36)
+    _s145 = _add(_add(_add(_multiply(_multiply(normal_rounding, _s110, _r69), _s42, _r69), _s114, _r69), _s117, _r69), _s125, _r69)
+    _s146 = _negative(_multiply(p_gravity, _s66, _r73), _r73)
+    _s147 = _absolute(_add(_multiply(_s111, _negative(_multiply(_s139, _s95, _r68), _r68), _r68), _multiply(_k73, _subtract(_subtract(_multiply(_s146, _s73, _r8), _multiply(_s141, _s75, _r34), _r34), _multiply(_s143, _s95, _r8), _r8), _r8), _r8), _r8)
+    _s148 = _add(_add(_multiply(wx, left_nx, _r68), _multiply(wy, left_ny, _r34), _r34), _multiply(wz, left_nz, _r68), _r68)
+    _s149 = _multiply(left_bend_s, _s148, _r34)
+    _s150 = _add(_add(_multiply(wx, _s12, _r9), _multiply(wy, _s13, _r10), _r10), _multiply(wz, _s16, _r9), _r9)
+    _s151 = _negative(_multiply(left_bend_s, _s150, _r10), _r10)
+    _s152 = _multiply(_k73, _subtract(_subtract(_add(_multiply(_s146, _s76, _r21), _add(_multiply(_s21, _s77, _r75), _multiply(_s18, _s74, _r76), _r76), _r76), _multiply(_s141, _s78, _r21), _r21), _multiply(_s143, _s97, _r76), _r76), _r76)
+    _s153 = _absolute(_add(_multiply(_s111, _subtract(_add(_multiply(_s149, _s96, _r21), _multiply(_s151, _s94, _r75), _r75), _multiply(_s139, _s97, _r21), _r21), _r21), _s152, _r76), _r76)
+    _s154 = _multiply(left_bend_e, _subtract(_multiply(left_nz, _s150, _r9), _multiply(_s16, _s148, _r68), _r68), _r68)
+    _s155 = _add(_multiply(wx, left_ex, _r9), _multiply(wy, left_ey, _r21), _r21)
+    _s156 = _negative(_multiply(_s26, _s155, _r20), _r20)
+    _s157 = _multiply(_multiply(left_bend_e, _s155, _r21), _s16, _r21)
+    _s158 = _subtract(_subtract(_add(_multiply(_s146, _s79, _r26), _add(_add(_multiply(_s31, _s80, _r14), _multiply(_s27, _s77, _r9), _r9), _multiply(_s29, _s74, _r14), _r14), _r14), _multiply(_s141, _s81, _r26), _r26), _multiply(_s143, _s99, _r14), _r14)
+    _s159 = _add(_multiply(_s111, _subtract(_add(_add(_multiply(_s154, _s98, _r26), _multiply(_s156, _s96, _r9), _r9), _multiply(_s157, _s94, _r26), _r26), _multiply(_s139, _s99, _r9), _r9), _r9), _multiply(_k73, _s158, _r14), _r14)
+    _s160 = _add(_multiply(_s111, _negative(_multiply(_s139, _s100, _r9), _r9), _r9), _multiply(_k73, _subtract(_subtract(_add(_multiply(_s146, _s82, _r28), _s74, _r28), _multiply(_s141, _s83, _r26), _r26), _multiply(_s143, _s100, _r28), _r28), _r28), _r28)
+    _s161 = _k74 / p_ball_radius
+    _s162 = _add(_multiply(_s111, _subtract(_multiply(_s161, _s98, _r9), _multiply(_s139, _s101, _r26), _r26), _r26), _multiply(_k73, _subtract(_subtract(_add(_multiply(_s146, _s84, _r29), _s77, _r29), _multiply(_s141, _s85, _r9), _r9), _multiply(_s143, _s101, _r29), _r29), _r29), _r29)
+    _s163 = _add(_multiply(_s111, _subtract(_negative(_multiply(_s161, _s96, _r26), _r26), _multiply(_s139, _s103, _r30), _r30), _r30), _multiply(_k73, _subtract(_subtract(_add(_multiply(_s146, _s87, _r73), _s80, _r73), _multiply(_s141, _s88, _r11), _r11), _multiply(_s143, _s103, _r52), _r52), _r52), _r52)
+    _s164 = _add(_add(_add(_add(_add(_multiply(place_n, _s147, _r8), _multiply(place_s, _s153, _r76), _r76), _multiply(place_e, _absolute(_s159, _r14), _r14), _r14), _multiply(pace_n, _absolute(_s160, _r28), _r28), _r28), _multiply(pace_s, _absolute(_s162, _r29), _r29), _r29), _multiply(pace_e, _absolute(_s163, _r52), _r52), _r52)
+    _s165 = _add(_add(_add(_s164, _multiply(turn_n, _absolute(_multiply(_s111, _s94, _r29), _r29), _r29), _r29), _multiply(turn_z, _absolute(_multiply(_s111, _s98, _r52), _r52), _r52), _r52), _multiply(turn_z, _absolute(_multiply(_s111, _s96, _r29), _r29), _r29), _r29)
+    _s166 = _result(_s62, _multiply(_k27, _add(_add(_add(_multiply(_s111, _s140, _r52), _multiply(_k73, _s144, _r28), _r28), _s145, _r28), _s165, _r29), _r29), _k30, _r0)
+    _s167 = _multiply(bend_s, _s138, _r45)
+    _s168 = _add(_multiply(wx, tangent_x, _r28), _multiply(wy, tangent_y, _r52), _r52)
+    _s169 = _negative(_multiply(_s142, _s168, _r0), _r0)
+    _s170 = _add(_multiply(_absolute(_s167, _r28), _s70, _r28), _multiply(_absolute(_s169, _r14), _s93, _r14), _r14)
+    _s171 = _multiply(bend_e, _subtract(_multiply(nz, _s67, _r41), _multiply(normal_velocity, _s66, _r39), _r39), _r39)
+    _s172 = _add(_s105, _add(_s136, _multiply(_absolute(_s171, _r41), _s93, _r41), _r41), _r41)
+    _s173 = _absolute(_subtract(_multiply(_k73, _negative(_multiply(_s171, _s95, _r47), _r47), _r47), _multiply(_s111, _negative(_add(_multiply(_s167, _s75, _r74), _multiply(_s169, _s95, _r28), _r28), _r28), _r28), _r28), _r28)
+    _s174 = _subtract(_multiply(_k73, _subtract(_add(_multiply(_s21, _s96, _r18), _multiply(_s18, _s94, _r15), _r15), _multiply(_s171, _s97, _r18), _r18), _r18), _multiply(_s111, _subtract(_subtract(_add(_multiply(_s149, _s77, _r15), _multiply(_s151, _s74, _r47), _r47), _multiply(_s167, _s78, _r15), _r15), _multiply(_s169, _s97, _r47), _r47), _r47), _r47)
+    _s175 = _multiply(_s111, _subtract(_subtract(_add(_add(_multiply(_s154, _s80, _r18), _multiply(_s156, _s77, _r15), _r15), _multiply(_s157, _s74, _r18), _r18), _multiply(_s167, _s81, _r15), _r15), _multiply(_s169, _s99, _r18), _r18), _r18)
+    _s176 = _subtract(_multiply(_k73, _subtract(_add(_add(_multiply(_s31, _s98, _r12), _multiply(_s27, _s96, _r23), _r23), _multiply(_s29, _s94, _r22), _r22), _multiply(_s171, _s99, _r23), _r23), _r23), _s175, _r18)
+    _s177 = _absolute(_subtract(_multiply(_k73, _subtract(_s94, _multiply(_s171, _s100, _r23), _r23), _r23), _multiply(_s111, _negative(_add(_multiply(_s167, _s83, _r61), _multiply(_s169, _s100, _r22), _r22), _r22), _r22), _r22), _r22)
+    _s178 = _absolute(_subtract(_multiply(_k73, _subtract(_s96, _multiply(_s171, _s101, _r23), _r23), _r23), _multiply(_s111, _subtract(_subtract(_multiply(_s161, _s80, _r4), _multiply(_s167, _s85, _r61), _r61), _multiply(_s169, _s101, _r4), _r4), _r4), _r4), _r4)
+    _s179 = _add(_add(_add(_add(_multiply(place_n, _s173, _r28), _multiply(place_s, _absolute(_s174, _r47), _r47), _r47), _multiply(place_e, _absolute(_s176, _r18), _r18), _r18), _multiply(pace_n, _s177, _r22), _r22), _multiply(pace_s, _s178, _r4), _r4)
+    _s180 = _subtract(_multiply(_k73, _subtract(_s98, _multiply(_s171, _s103, _r39), _r39), _r39), _multiply(_s111, _subtract(_subtract(_negative(_multiply(_s161, _s77, _r16), _r16), _multiply(_s167, _s88, _r45), _r45), _multiply(_s169, _s103, _r0), _r0), _r0), _r0)
+    _s181 = _add(_add(_add(_s179, _multiply(pace_e, _absolute(_s180, _r0), _r0), _r0), _multiply(turn_n, _absolute(_negative(_multiply(_s111, _s74, _r48), _r48), _r48), _r48), _r48), _multiply(turn_z, _absolute(_negative(_multiply(_s111, _s80, _r53), _r53), _r53), _r53), _r53)
+    _s182 = _add(_add(_add(_multiply(_s111, _s170, _r48), _multiply(_k73, _s172, _r0), _r0), _s145, _r0), _add(_s181, _multiply(turn_z, _absolute(_negative(_multiply(_s111, _s77, _r51), _r51), _r51), _r51), _r51), _r51)
+    _s183 = _result(_s62, _multiply(_k27, _s182, _r51), _k30, _r0)
+    _s184 = _negative(_multiply(bend_s, _s137, _r46), _r46)
+    _s185 = _multiply(_s107, _s168, _r52)
+    _s186 = _add(_multiply(_absolute(_s184, _r62), _s70, _r62), _multiply(_absolute(_s185, _r49), _s93, _r49), _r49)
+    _s187 = _k69 * _s161
+    _s188 = _add(_multiply(_s161, _s48, _r62), _s113, _r62)
+    _s189 = _add(_add(_add(_multiply(_s161, _add(_s118, _s124, _r33), _r33), _multiply(_s52, _add(_multiply(_k22, spin_bound, _r42), _multiply(_s187, _s47, _r37), _r37), _r37), _r37), _multiply(_s121, _add(spin_bound, _s113, _r33), _r33), _r33), _multiply(_s120, _s188, _r72), _r72)
+    _s190 = _add(_add(_s189, _multiply(_s122, _add(_multiply(_s187, _s48, _r33), _multiply(_k22, _s113, _r37), _r37), _r37), _r37), _multiply(_k65, _add(spin_bound, _multiply(_s52, _s113, _r38), _r38), _r38), _r38)
+    _s191 = _add(_add(_add(_add(_multiply(_s161, _s117, _r37), _multiply(_k22, _multiply(_s112, _s113, _r72), _r72), _r72), _multiply(_k73, _multiply(_multiply(normal_rounding, _s161, _r37), _s48, _r37), _r37), _r37), _s186, _r37), _s190, _r37)
+    _s192 = _multiply(place_s, _absolute(_subtract(_subtract(_add(_multiply(_s149, _s23, _r34), _multiply(_s151, _s10, _r10), _r10), _multiply(_s184, _s78, _r54), _r54), _multiply(_s185, _s97, _r17), _r17), _r17), _r17)
+    _s193 = _add(_multiply(place_n, _absolute(_negative(_add(_multiply(_s184, _s75, _r50), _multiply(_s185, _s95, _r60), _r60), _r60), _r60), _r60), _s192, _r17)
+    _s194 = _absolute(_subtract(_subtract(_add(_add(_multiply(_s154, _s33, _r68), _multiply(_s156, _s23, _r20), _r20), _multiply(_s157, _s10, _r21), _r21), _multiply(_s184, _s81, _r55), _r55), _multiply(_s185, _s99, _r13), _r13), _r13)
+    _s195 = _add(_add(_s193, _multiply(place_e, _s194, _r13), _r13), _multiply(pace_n, _absolute(_negative(_add(_multiply(_s184, _s83, _r56), _multiply(_s185, _s100, _r25), _r25), _r25), _r25), _r25), _r25)
+    _s196 = _add(_s195, _multiply(pace_s, _absolute(_subtract(_subtract(_multiply(_s161, _s33, _r13), _multiply(_s184, _s85, _r57), _r57), _multiply(_s185, _s101, _r24), _r24), _r24), _r24), _r24)
+    _s197 = _multiply(pace_e, _absolute(_subtract(_subtract(_negative(_multiply(_s161, _s23, _r25), _r25), _multiply(_s184, _s88, _r46), _r46), _multiply(_s185, _s103, _r52), _r52), _r52), _r52)
+    _s198 = _add(_s191, _add(_add(_add(_add(_s196, _s197, _r52), _multiply(turn_n, _absolute(_s10, _r2), _r2), _r2), _multiply(turn_z, _absolute(_s33, _r27), _r27), _r27), _multiply(turn_z, _absolute(_s23, _r19), _r19), _r19), _r19)
+    _s199 = _result(_s62, _multiply(_k27, _s198, _r19), _k30, _r0)
+    _s200 = _add(_multiply(_s161, _add(_s117, _s145, _r69), _r69), _multiply(_k22, _multiply(_s112, _add(_multiply(_s187, _add(_s91, _s68, _r31), _r31), _s113, _r31), _r31), _r31), _r31)
+    _s201 = _select(_s109 < _s144, _s144, _s109, _r69)
+    _s202 = _select(_s186 < _s170, _s170, _s186, _r65)
+    _s203 = _multiply(_k27, _add(_add(_s200, _add(_multiply(_s161, _select(_s201 < _s172, _s172, _s201, _r67), _r67), _select(_s202 < _s140, _s140, _s202, _r69), _r69), _r69), _s190, _r69), _r69)
+    _s204 = _result(_s62, _s203, _k30, _r0)
+    _s205 = _add(_multiply(bend_s, _s89, _r38), _multiply(bend_e, _s104, _r31), _r31)
+    _s206 = _add(_s166, _s183, _r51)
+    _s207 = _result(_s62, _multiply(_k27, _add(_add(_add(_divide(_s206, p_ball_radius, _r29), _multiply(_s205, _s188, _r62), _r62), _multiply(_k22, _s204, _r69), _r69), _s199, _r69), _r69), _k30, _r0)
+    return _s63, _s89, _s104, _s135, _s166, _s183, _s199, _s204, _result(_s62, _multiply(_k27, _add(_add(_s63, _s104, _r64), _s89, _r64), _r64), _k30, _r0), _result(_s62, _multiply(_k27, _add(_add(_multiply(_s116, _s205, _r31), _s206, _r51), _s135, _r51), _r51), _k30, _r0), _s207, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r51), _r51) + _select(_s62, _multiply(_k27, _s43, _r35), _k30, _r6)
 
 
 def vary_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, p_ball_radius: Any, p_restitution: Any, change_ball_radius: Any, change_restitution: Any) -> tuple[Any, ...]:
@@ -1738,10 +1765,10 @@ def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, 
 def ring_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, place_n: Any, normal_velocity: Any, back: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Tangent and curvatures at a contact, and bounds on the roundings there.
 
-    Table 2, running error analysis. 119 operations: 36 additions, 2 subtractions, 43 multiplications, 6 divisions, 3 square roots, 1 negation, 10 absolute values, 8 comparisons, 10 selections.
+    Table 2, running error analysis. 123 operations: 37 additions, 2 subtractions, 45 multiplications, 6 divisions, 3 square roots, 1 negation, 11 absolute values, 8 comparisons, 10 selections.
     """
     t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _halves(_room[:10])
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _halves(_room[:11])
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s1 = _k64 / _s0
     _s2 = p_ball_radius + p_wire_radius
@@ -1754,27 +1781,28 @@ def ring_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx:
     _s9 = _absolute(vy, _r4)
     _s10 = _absolute(vz, _r5)
     _s11 = _multiply(t, _add(_multiply(_k22, _add(_sqrt(p_gravity) * _sqrt(_s2), _select(_k29 < _s7, _s7, _k29, _r6), _r6), _r6), _add(_add(_add(_s6, _s8, _r0), _s9, _r0), _s10, _r0), _r0), _r0)
-    _s12 = _multiply(t, t, _r6)
-    _s13 = _add(_multiply(p_gravity, _s12, _r2), _multiply(t, _add(_add(_s8, _s9, _r7), _s10, _r7), _r7), _r7)
-    _s14 = _multiply(_k22, t, _r2)
-    _s15 = _add(_k24, _multiply(_k25, _add(_multiply(_s14, _s8, _r3), _absolute(x, _r5), _r5), _r5), _r5)
-    _s16 = _add(_k24, _multiply(_k25, _add(_multiply(_s14, _s9, _r4), _absolute(y, _r3), _r3), _r3), _r3)
-    _s17 = _k23 * p_gravity
-    _s18 = _add(_add(_multiply(_s17, _s12, _r6), _multiply(_s14, _absolute(_add(vz, _multiply(_s17, t, _r4), _r4), _r4), _r4), _r4), _absolute(z, _r6), _r6)
-    _s19 = _add(_k24, _multiply(_k25, _s18, _r6), _r6)
-    _s20 = _k36 * (p_ring_radius * _s3)
-    _s21 = _add(_divide(_multiply(_multiply(_k82, _s13, _r4), _add(_add(_s15, _s16, _r2), _s19, _r2), _r4), _s5, _r4), _multiply(_k35 * (_k83 + _s20), _s13, _r7), _r7)
-    _s22 = _multiply(_k84, _s21, _r4)
-    _s23 = _multiply(_k85, _multiply(_divide(_multiply(normal_velocity, normal_velocity, _r2), _add(_add(_multiply(vx, vx, _r8), _multiply(vy, vy, _r9), _r9), _multiply(vz, vz, _r8), _r8), _r8), _s2, _r8), _r8)
-    _s24 = _add(_add(_k24, _s21, _r7), _select(_s22 < _s23, _s23, _s22, _r2), _r2)
-    _s25 = _add(_multiply(_k25, _add(_k86 * _s2, _multiply(_k22, _s0, _r1), _r1), _r1), _add(_add(_multiply(_absolute(nx, _r4), _s15, _r4), _multiply(_absolute(ny, _r5), _s16, _r5), _r5), _multiply(_absolute(nz, _r4), _s19, _r4), _r4), _r4)
-    _s26 = _multiply(_k84, _s25, _r1)
-    _s27 = _add(_add(_k24, _s25, _r4), _select(_s26 < _s23, _s23, _s26, _r5), _r5)
-    _s28 = _add(place_n, _s27, _r1)
-    _s29 = _multiply(_k72, _divide(_s11, _s5, _r0), _r0) <= _k64
-    _s30 = _k29 < back
-    _s31 = _add(place_n, _s24, _r0)
-    return -_multiply(y, _s1, _r4), x * _s1, _s3, _s1, _k74 / _s5, _result(_s30, _select(_s29, _s24, _select(_s24 < _s28, _s28, _s24, _r4), _r8), _s27, _r0), _result(_s30, _select(_s29, _s31, _select(_s31 < _s27, _s27, _s31, _r8), _r4), _s27, _r0), _k35 * (_k87 + _s20)
+    _s12 = _add(_k24, _multiply(_k25, _multiply(t, _absolute(normal_velocity, _r6), _r6), _r6), _r6)
+    _s13 = _multiply(t, t, _r2)
+    _s14 = _add(_multiply(p_gravity, _s13, _r7), _multiply(t, _add(_add(_s8, _s9, _r8), _s10, _r8), _r8), _r8)
+    _s15 = _multiply(_k22, t, _r7)
+    _s16 = _add(_k24, _multiply(_k25, _add(_multiply(_s15, _s8, _r3), _absolute(x, _r5), _r5), _r5), _r5)
+    _s17 = _add(_k24, _multiply(_k25, _add(_multiply(_s15, _s9, _r4), _absolute(y, _r3), _r3), _r3), _r3)
+    _s18 = _k23 * p_gravity
+    _s19 = _add(_add(_multiply(_s18, _s13, _r2), _multiply(_s15, _absolute(_add(vz, _multiply(_s18, t, _r4), _r4), _r4), _r4), _r4), _absolute(z, _r2), _r2)
+    _s20 = _add(_k24, _multiply(_k25, _s19, _r2), _r2)
+    _s21 = _k36 * (p_ring_radius * _s3)
+    _s22 = _add(_divide(_multiply(_multiply(_k82, _s14, _r4), _add(_add(_s16, _s17, _r7), _s20, _r7), _r4), _s5, _r4), _multiply(_k35 * (_k83 + _s21), _s14, _r8), _r8)
+    _s23 = _multiply(_k84, _s22, _r4)
+    _s24 = _multiply(_k85, _multiply(_divide(_multiply(normal_velocity, normal_velocity, _r7), _add(_add(_multiply(vx, vx, _r9), _multiply(vy, vy, _r10), _r10), _multiply(vz, vz, _r9), _r9), _r9), _s2, _r9), _r9)
+    _s25 = _add(_add(_s12, _s22, _r8), _select(_s23 < _s24, _s24, _s23, _r7), _r7)
+    _s26 = _add(_multiply(_k25, _add(_k86 * _s2, _multiply(_k22, _s0, _r1), _r1), _r1), _add(_add(_multiply(_absolute(nx, _r4), _s16, _r4), _multiply(_absolute(ny, _r5), _s17, _r5), _r5), _multiply(_absolute(nz, _r4), _s20, _r4), _r4), _r4)
+    _s27 = _multiply(_k84, _s26, _r1)
+    _s28 = _add(_add(_s12, _s26, _r4), _select(_s27 < _s24, _s24, _s27, _r6), _r6)
+    _s29 = _add(place_n, _s28, _r1)
+    _s30 = _multiply(_k72, _divide(_s11, _s5, _r0), _r0) <= _k64
+    _s31 = _k29 < back
+    _s32 = _add(place_n, _s25, _r0)
+    return -_multiply(y, _s1, _r4), x * _s1, _s3, _s1, _k74 / _s5, _result(_s31, _select(_s30, _s25, _select(_s25 < _s29, _s29, _s25, _r4), _r9), _s28, _r0), _result(_s31, _select(_s30, _s32, _select(_s32 < _s28, _s28, _s32, _r9), _r4), _s28, _r0), _k35 * (_k87 + _s21)
 
 
 def ring_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any) -> tuple[Any, ...]:
@@ -2203,10 +2231,10 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s47 = _divide(_k64, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(moment2, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(energy2, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k65, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k151, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
     _s51 = _negative(_s21, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k124 * p_ball_radius) + (_k124 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k29, _k29, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k151, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(energy2, _add(_s52, _multiply(_k152, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k124 * p_ball_radius) + (_k124 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k29, _k29, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k152, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(energy2, _add(_s52, _multiply(_k153, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
     _s55 = _select(_k29 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k149, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
     _s56 = _k29 < _s55
@@ -2392,7 +2420,7 @@ def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any,
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k162, _s0, _r1), _r1) + _multiply(_k163, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k164, _s0, _r1), _r1) + _multiply(_k165, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def backboard_place(y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
@@ -2502,7 +2530,7 @@ def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, ve
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k162, _s0, _r1), _r1) + _multiply(_k163, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k164, _s0, _r1), _r1) + _multiply(_k165, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def bridge_place(x: Any, y: Any, p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -2604,7 +2632,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k162, _s0, _r1), _r1) + _multiply(_k163, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k164, _s0, _r1), _r1) + _multiply(_k165, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -3325,7 +3353,7 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s33 = (_s31 + _s32) - energy2
     _s34 = _s29 < _k37
     _s35 = _k36 * _s27
-    _s36 = _k39 if (_k37 < (_s27 if (_k37 <= _s29) else _k37)) else (((_s35 + (_k153 * _s25)) if _s34 else (_k80 * _s29)) / ((-_s29) if _s34 else (_s33 if _k37 < _s33 else _k37)))
+    _s36 = _k39 if (_k37 < (_s27 if (_k37 <= _s29) else _k37)) else (((_s35 + (_k154 * _s25)) if _s34 else (_k80 * _s29)) / ((-_s29) if _s34 else (_s33 if _k37 < _s33 else _k37)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
     _s39 = _k115 * _s24
@@ -3339,12 +3367,12 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s47 = _k74 / (_s46 if _s43 < _s46 else _s43)
     _s48 = moment2 * (_s47 * (_s47 * _s47))
     _s49 = abs(energy2)
-    _s50 = ((_s41 + _s48) + (_k76 * ((_s48 + _s49) + abs(_s41)))) - energy2
+    _s50 = ((_s41 + _s48) + (_k155 * ((_s48 + _s49) + abs(_s41)))) - energy2
     _s51 = -_s21
-    _s52 = (_s30 * (((_k124 * p_ball_radius) + (_k124 * p_wire_radius)) + (((p_gravity * _s38) + (_k37 if _s51 < _k37 else _s51)) * _s38))) + ((_k154 * (_s32 * _s17)) * _s42)
+    _s52 = (_s30 * (((_k124 * p_ball_radius) + (_k124 * p_wire_radius)) + (((p_gravity * _s38) + (_k37 if _s51 < _k37 else _s51)) * _s38))) + ((_k156 * (_s32 * _s17)) * _s42)
     _s53 = energy2 + (_s52 + (_k124 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
-    _s55 = ((_s23 * _s23) - ((_k153 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k37 < _s23) else _s23
+    _s55 = ((_s23 * _s23) - ((_k154 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k37 < _s23) else _s23
     _s56 = _k37 < _s55
     _s57 = ((_k36 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
@@ -3371,7 +3399,7 @@ def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any,
     _s0 = speed + (p_gravity * horizon)
     _s1 = share * (extent + (horizon * _s0))
     _s2 = _k91 * (p_ball_radius + p_wire_radius)
-    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k155 * (p_ring_radius + _s2))
+    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k157 * (p_ring_radius + _s2))
     _s4 = p_ring_radius - _s2
     _s5 = _k92 * p_ring_radius
     _s6 = _s2 / (_s5 if _s4 < _s5 else _s4)
@@ -4227,11 +4255,11 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
 
 def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage resolve of the event loop, with bounds on errors."""
-    _body_0, _claims_0, _clock_0, _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _ends_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _limited_0, _outcome_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _spin_bound_0, _touches_0, _turn_n_0, _turn_z_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("body", "claims", "clock", "clock_error", "count_0", "count_1", "count_2", "ends", "first", "last", "left_bend_e", "left_bend_s", "left_ex", "left_ey", "left_nx", "left_ny", "left_nz", "limited", "outcome", "p_ball_radius", "p_board_distance", "p_gravity", "p_restitution", "p_ring_radius", "p_wire_radius", "pace_e", "pace_n", "pace_s", "place_e", "place_n", "place_s", "position_bound", "spin_bound", "touches", "turn_n", "turn_z", "velocity_bound", "vx", "vy", "vz", "when", "which", "wx", "wy", "wz", "x", "y", "z",))
+    _body_0, _claims_0, _clock_0, _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _ends_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _limited_0, _outcome_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _spin_bound_0, _touches_0, _turn_n_0, _turn_z_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("body", "claims", "clock", "clock_error", "count_0", "count_1", "count_2", "ends", "first", "last", "left_bend_e", "left_bend_s", "left_ex", "left_ey", "left_nx", "left_ny", "left_nz", "limited", "outcome", "p_ball_radius", "p_board_distance", "p_gravity", "p_restitution", "p_ring_radius", "p_wire_radius", "pace_e", "pace_n", "pace_s", "place_e", "place_n", "place_s", "position_bound", "spin_bound", "touches", "turn_n", "turn_z", "uncertain", "velocity_bound", "vx", "vy", "vz", "when", "which", "wx", "wy", "wz", "x", "y", "z",))
     _meeting_0, = meeting(_claims_0, _ends_0, _touches_0)
     _rows1, _count2 = _rows(_meeting_0, shots)
     if _count2:
-        _body_1, _clock_1, _clock_error_1, _count_0_1, _count_1_1, _count_2_1, _ends_1, _first_1, _last_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _p_ball_radius_1, _p_board_distance_1, _p_gravity_1, _p_restitution_1, _p_ring_radius_1, _p_wire_radius_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _touches_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows1, _body_0, _clock_0, _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _ends_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _spin_bound_0, _touches_0, _turn_n_0, _turn_z_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
+        _body_1, _clock_1, _clock_error_1, _count_0_1, _count_1_1, _count_2_1, _ends_1, _first_1, _last_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _p_ball_radius_1, _p_board_distance_1, _p_gravity_1, _p_restitution_1, _p_ring_radius_1, _p_wire_radius_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _touches_1, _turn_n_1, _turn_z_1, _uncertain_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows1, _body_0, _clock_0, _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _ends_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _spin_bound_0, _touches_0, _turn_n_0, _turn_z_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count2)
         _nx_1, _ny_1, _nz_1 = end_normal()
         _here_1, = here(0.0, _which_1)
@@ -4277,6 +4305,8 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _clock_error_2, = clock_error_sum(_belated_2, _clock_error_2)
             _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2, _room_2)
             _clock_error_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1 = _put(_rows7, _count2, (_clock_error_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,), (_clock_error_2, _left_bend_e_2, _left_bend_s_2, _left_ex_2, _left_ey_2, _left_nx_2, _left_ny_2, _left_nz_2, _pace_e_2, _pace_n_2, _pace_s_2, _place_e_2, _place_n_2, _place_s_2, _position_bound_2, _spin_bound_2, _turn_n_2, _turn_z_2, _velocity_bound_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2,), _touches_1)
+        _unbounded_1, = unbounded(_clock_error_1, _position_bound_1, _velocity_bound_1, _spin_bound_1)
+        _uncertain_1, = without_bounds(_unbounded_1, _uncertain_1)
         _here_1, = here(1.0, _which_1)
         _x_2, _y_2, _z_2 = backboard_place(_y_1, _z_1, _p_ball_radius_1, _p_board_distance_1)
         _x_1, _y_1, _z_1 = _choose(_here_1, (_x_2, _y_2, _z_2,), (_x_1, _y_1, _z_1,))
@@ -4285,7 +4315,7 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _x_1, _y_1, _z_1 = _choose(_here_1, (_x_2, _y_2, _z_2,), (_x_1, _y_1, _z_1,))
         _first_2, _last_2 = touched(_which_1, _body_1, _first_1)
         _first_1, _last_1 = _choose(_touches_1, (_first_2, _last_2,), (_first_1, _last_1,))
-        _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _spin_bound_0, _turn_n_0, _turn_z_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows1, shots, (_clock_error_0, _count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _spin_bound_0, _turn_n_0, _turn_z_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_clock_error_1, _count_0_1, _count_1_1, _count_2_1, _first_1, _last_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
+        _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _spin_bound_0, _turn_n_0, _turn_z_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows1, shots, (_clock_error_0, _count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _spin_bound_0, _turn_n_0, _turn_z_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_clock_error_1, _count_0_1, _count_1_1, _count_2_1, _first_1, _last_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _turn_n_1, _turn_z_1, _uncertain_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
     _rows9, _count10 = _rows(_limited_0, shots)
     if _count10:
         _claims_1, _clock_1, _clock_error_1, _p_gravity_1, _position_bound_1, _spin_bound_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows9, _claims_0, _clock_0, _clock_error_0, _p_gravity_0, _position_bound_0, _spin_bound_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
@@ -4303,4 +4333,4 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1 = _taken(_rows13, _clock_error_0, _position_bound_0, _spin_bound_0, _velocity_bound_0)
         _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_1, _position_bound_1, _velocity_bound_1, _spin_bound_1)
         _position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0 = _put(_rows13, shots, (_position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0,), (_position_claim_1, _spin_claim_1, _time_claim_1, _velocity_claim_1,), _closed_0)
-    columns |= {"clock_error": _clock_error_0, "count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "first": _first_0, "last": _last_0, "left_bend_e": _left_bend_e_0, "left_bend_s": _left_bend_s_0, "left_ex": _left_ex_0, "left_ey": _left_ey_0, "left_nx": _left_nx_0, "left_ny": _left_ny_0, "left_nz": _left_nz_0, "pace_e": _pace_e_0, "pace_n": _pace_n_0, "pace_s": _pace_s_0, "place_e": _place_e_0, "place_n": _place_n_0, "place_s": _place_s_0, "position_bound": _position_bound_0, "position_claim": _position_claim_0, "spin_bound": _spin_bound_0, "spin_claim": _spin_claim_0, "time_claim": _time_claim_0, "turn_n": _turn_n_0, "turn_z": _turn_z_0, "velocity_bound": _velocity_bound_0, "velocity_claim": _velocity_claim_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }
+    columns |= {"clock_error": _clock_error_0, "count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "first": _first_0, "last": _last_0, "left_bend_e": _left_bend_e_0, "left_bend_s": _left_bend_s_0, "left_ex": _left_ex_0, "left_ey": _left_ey_0, "left_nx": _left_nx_0, "left_ny": _left_ny_0, "left_nz": _left_nz_0, "pace_e": _pace_e_0, "pace_n": _pace_n_0, "pace_s": _pace_s_0, "place_e": _place_e_0, "place_n": _place_n_0, "place_s": _place_s_0, "position_bound": _position_bound_0, "position_claim": _position_claim_0, "spin_bound": _spin_bound_0, "spin_claim": _spin_claim_0, "time_claim": _time_claim_0, "turn_n": _turn_n_0, "turn_z": _turn_z_0, "uncertain": _uncertain_0, "velocity_bound": _velocity_bound_0, "velocity_claim": _velocity_claim_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }
