@@ -209,7 +209,7 @@ def departures(
     amounts[:, released] = 0
     amounts = upwards(amounts).astype(float)
     signs = random.choice([-1.0, 1.0], (9, rows))
-    turning = random.normal(0, 20, (3, rows))
+    turning = random.normal(0, 20, (3, rows)) * random.choice([1.0, 0.01], rows)
     normal, back = normals_of(last, begin), last == which
     across = turning - normal * np.sum(turning * normal, axis=0)
     rolling = np.cross(normal, velocity, axis=0) / R_B
@@ -239,7 +239,9 @@ def departures(
     earlier = random.choice([0.0, 1.0], rows) * 10 ** random.uniform(-15, -9, rows)
     start["clock_error"] = upwards(earlier)
     start |= left_frames(last, start)
-    clock = EXACT(start["clock"]) + EXACT(start["clock_error"] * random.choice([-1, 1], rows))
+    # What is summed so far has room for the roundings of sums.
+    before = (1 - 2.0**-10) * start["clock_error"] * random.choice([-1, 1], rows)
+    clock = EXACT(start["clock"]) + EXACT(before)
     start |= dict(zip(NAMES, amounts, strict=True))
     start |= {s.name: value for s, value in zip(NORMS, norms, strict=True)}
     return Departures(last, which, start, t, true, clock, back)
@@ -335,8 +337,11 @@ def rounded_flight(own: Departures, t: Floats, random: np.random.Generator) -> C
 
 def rounded_normal(own: Departures, at: Columns, random: np.random.Generator) -> Columns:
     """Return the normals of computed places, (x - c)/R on the ring, with roundings at limits."""
-    nudge = random.normal(size=(3, len(own.t)))
-    nudge *= np.maximum(0, at["normal_rounding"] - 4 * U) / np.sqrt(np.sum(nudge**2, axis=0))
+    moving, spinning = (np.array([at[k] for k in names]) for names in (STATE[3:6], STATE[6:]))
+    toward = np.array([moving, spinning, random.normal(size=moving.shape)])
+    nudge = toward[random.integers(0, 3, len(own.t)), :, np.arange(len(own.t))].T
+    size = np.sqrt(np.sum(nudge**2, axis=0)) * random.choice([-1, 1], len(own.t))
+    nudge = nudge * np.maximum(0, at["normal_rounding"] - 1.5 * U) / size
     with flint.ctx.workprec(exact.BITS):
         place = EXACT([at[k] for k in STATE[:3]])
         ring = own.which == RING
@@ -349,7 +354,7 @@ def rounded_normal(own: Departures, at: Columns, random: np.random.Generator) ->
 def at_limits(own: Departures, seed: int) -> tuple[Columns, Floats]:
     """Return computed contacts, and their times, with roundings as large as the lemma allows for.
 
-    They are those of the flight, of the root and of the normal; the impact has its own.
+    They are those of the flight, of the root, of the normal and of the impact: `after` adds those.
     """
     random, root = np.random.default_rng(seed), roots(own)
     t = np.array(root, float)
@@ -359,12 +364,30 @@ def at_limits(own: Departures, seed: int) -> tuple[Columns, Floats]:
     with flint.ctx.workprec(exact.BITS):
         t = np.array(root + EXACT(late), float)
     at = arguments(hoop, own, rounded_flight(own, t, random), t)
-    return at | rounded_normal(own, at, random), t
+    return at | rounded_normal(own, at, random) | rounded_impact(own, at, random), t
+
+
+def rounded_impact(own: Departures, at: Columns, random: np.random.Generator) -> Columns:
+    """Return roundings of velocity and spin that are 12/14 of their bound, each along an axis.
+
+    The kernel has its own besides; together these are at most 14 u of the sizes.
+    """
+    size, spinning = (sum(np.abs(at[k]) for k in names) for names in (STATE[3:6], STATE[6:]))
+    limit = 12 * U * (size + R_B * spinning)
+    frame = exact.Frame.at(own.which, EXACT([at[k] for k in STATE[:3]]))
+    axes = np.array([np.array(axis, float) for axis in (frame.n, frame.s, frame.e)])
+    offs = {}
+    for names, per in ((STATE[3:6], 1), (STATE[6:], R_B)):
+        axis = axes[random.integers(0, 3, len(limit)), :, np.arange(len(limit))].T
+        along = random.choice([-1, 1], len(limit)) * axis * limit / per
+        offs |= {f"off_{k}": off for k, off in zip(names, along, strict=True)}
+    return offs
 
 
 def after(own: Departures, at: Columns) -> Columns:
     """Return the computed states after contacts."""
     state = {k: at[k] for k in STATE} | called(hoop, "impact", at)
+    state |= {k: state[k] + at.get(f"off_{k}", 0.0) for k in STATE[3:]}
     for surface, name in ((BOARD, "backboard"), (BRIDGE, "bridge")):
         put = called(hoop, f"{name}_place", at)
         state |= {k: np.where(own.which == surface, put[k], state[k]) for k in put}
