@@ -303,7 +303,9 @@ def carried_for_impacts() -> Floats:
     none |= {"t": 0.0} | own
     tangents = called("ring_tangents", **none)
     names = ("tangent_x", "tangent_y", "bend_s", "bend_e", "sharpest_bend")
-    none |= dict(zip((*names, "root_offset", "root_level", "normal_rounding"), tangents, strict=True))
+    none |= dict(
+        zip((*names, "root_offset", "root_level", "normal_rounding"), tangents, strict=True)
+    )
     bounds = dict(zip(hoop.OUTPUTS["carry_impact"], called("carry_impact", **none), strict=True))
     return np.array([bounds["velocity_bound"]] * 3 + [bounds["spin_bound"]] * 3)
 
