@@ -50,7 +50,7 @@ besides; that is B'_n (`root_level`). On a plane it is put there. What of dw is 
 coordinates, y_z, is made by each contact anew, of roundings and the second order: without slip
 w = n × v/R_B along the surface. ∎
 
-If the lemma's conditions do not hold, or the normal is a 2^20th longer or shorter than 1, the
+If the lemma's conditions do not hold, or the normals are 2^-22 longer or shorter than 1, the
 bounds are infinite, and a shot with bounds that are not finite is uncertain at once.
 """
 
@@ -118,6 +118,10 @@ ARGUMENTS = (
 
 CARRIED = (*BOUNDS, *NORMS, *left_normal, *LEFT_TANGENT, *LEFT_BENDS)
 """The numbers that are carried from contact to contact."""
+
+MOST_LENGTHS = 2**22
+"""One over how much longer normals off the surface are than 1, at both ends of a flight: so little
+that the roundings of T contain it."""
 
 LAW_ROUNDINGS = 14
 """The roundings of an impact, of the sum of the sizes of velocity and of the radius times spin."""
@@ -475,7 +479,7 @@ class _Rest:
         self.excess = maximum(
             barrier(12 * slowed - nearing),
             barrier(100 * barrier(sharpest_bend * way) - 1),
-            barrier(2**20 * longer - 1),
+            barrier(MOST_LENGTHS * barrier(longer + LEFT_BENDS[0] * BOUNDS[0]) - 1),
         )
         law = barrier(LAW_ROUNDINGS * UNIT_ROUNDOFF * self.speed_after + FLOOR)
         rubbing = barrier(rubbed * spinning * barrier(normal_rounding + longer))

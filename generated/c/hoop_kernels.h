@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation a97eb2c9622d3ff5,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation f126937a0127ad50,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -1008,7 +1008,7 @@ LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V _c0, 
 }
 
 /* Bounds on errors after a contact, from those at the departure before it.
-   derivative of the frame-free Eq. 17, with roundings. 955 operations: 265 additions, 65 subtractions, 473 multiplications, 5 divisions, 37 negations, 83 absolute values, 8 comparisons, 19 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 957 operations: 266 additions, 65 subtractions, 474 multiplications, 5 divisions, 37 negations, 83 absolute values, 8 comparisons, 19 selections. */
 typedef struct {
     S place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay;
 } LANES(hoop_carry_impact_out);
@@ -1076,7 +1076,7 @@ LANES(hoop_carry_impact)(S t, S x, S y, S z, S vx, S vy, S vz, S wx, S wy, S wz,
     const S _s57 = singles_add(singles_mul(_s56, _s47), _s55);
     const S _s58 = singles_add(singles_add(root_level, _s57), singles_add(singles_add(singles_mul(singles_abs(nx), _s3), singles_mul(singles_abs(ny), _s5)), singles_mul(singles_abs(nz), _s7)));
     const S _s59 = singles_mul(bend_s, _s58);
-    const S _s60 = singles_sub(singles_mul(KS(1048576.0), _s59), KS(1.0));
+    const S _s60 = singles_sub(singles_mul(KS(4194304.0), singles_add(singles_mul(place_n, left_bend_s), _s59)), KS(1.0));
     const Q _s61 = singles_at_most(singles_max(_s54, _s60), KS(0.0));
     const S _s62 = singles_select(_s61, singles_mul(KS(1.0009765625), _s58), KS(INFINITY));
     const S _s63 = singles_mul(nz, tangent_y);

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation a97eb2c9622d3ff5,
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation f126937a0127ad50,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -1021,7 +1021,7 @@ static __device__ __forceinline__ kernel_impact_out kernel_impact(double vx, dou
 }
 
 /* Bounds on errors after a contact, from those at the departure before it.
-   derivative of the frame-free Eq. 17, with roundings. 962 operations: 266 additions, 65 subtractions, 477 multiplications, 6 divisions, 37 negations, 84 absolute values, 8 comparisons, 19 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 964 operations: 267 additions, 65 subtractions, 478 multiplications, 6 divisions, 37 negations, 84 absolute values, 8 comparisons, 19 selections. */
 struct kernel_carry_impact_out {
     float place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay;
 };
@@ -1089,7 +1089,7 @@ static __device__ __forceinline__ kernel_carry_impact_out kernel_carry_impact(fl
     const float _s58 = (_s57 * _s48) + _s56;
     const float _s59 = (root_level + _s58) + (((fabsf(nx) * _s3) + (fabsf(ny) * _s5)) + (fabsf(nz) * _s8));
     const float _s60 = bend_s * _s59;
-    const float _s61 = (((float)1048576.0) * _s60) - ((float)1.0);
+    const float _s61 = (((float)4194304.0) * ((place_n * left_bend_s) + _s60)) - ((float)1.0);
     const bool _s62 = larger(_s55, _s61) <= ((float)0.0);
     const float _s63 = choose(_s62, (((float)1.0009765625) * _s59), ((float)INFINITE));
     const float _s64 = nz * tangent_y;

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation a97eb2c9622d3ff5,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation f126937a0127ad50,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -509,7 +509,7 @@ _k64 = _scalar(_float32(1.0))
 _k65 = _scalar(_float32(1.9073486328125e-06))
 _k66 = _scalar(_float32(1.02))
 _k67 = _scalar(_float32(100.0))
-_k68 = _scalar(_float32(1048576.0))
+_k68 = _scalar(_float32(4194304.0))
 _k69 = _float32(0.6)
 _k70 = _float32(0.4)
 _k71 = _scalar(_float32(1.5543122344752192e-15))
@@ -519,7 +519,7 @@ _k74 = _float32(1.0)
 _k75 = _float32(1.02)
 _k76 = _float32(1.9073486328125e-06)
 _k77 = _float32(100.0)
-_k78 = _float32(1048576.0)
+_k78 = _float32(4194304.0)
 _k79 = _float32(1.5543122344752192e-15)
 _k80 = _float32(4.0)
 _k81 = _float64(0.0625)
@@ -1461,7 +1461,7 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
 def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, clock: Any, left_nx: Any, left_ny: Any, left_nz: Any, place_n: Any, place_s: Any, place_e: Any, pace_n: Any, pace_s: Any, pace_e: Any, turn_n: Any, turn_z: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any, tangent_x: Any, tangent_y: Any, bend_s: Any, bend_e: Any, left_ex: Any, left_ey: Any, left_bend_s: Any, left_bend_e: Any, sharpest_bend: Any, root_offset: Any, root_level: Any, normal_rounding: Any, normal_velocity: Any, back: Any, p_ball_radius: Any, p_restitution: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Bounds on errors after a contact, from those at the departure before it.
 
-    derivative of the frame-free Eq. 17, with roundings. 962 operations: 266 additions, 65 subtractions, 477 multiplications, 6 divisions, 37 negations, 84 absolute values, 8 comparisons, 19 selections.
+    derivative of the frame-free Eq. 17, with roundings. 964 operations: 267 additions, 65 subtractions, 478 multiplications, 6 divisions, 37 negations, 84 absolute values, 8 comparisons, 19 selections.
     """
     t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40, _r41, _r42, _r43, _r44, _r45, _r46, _r47, _r48, _r49, _r50, _r51, _r52, _r53, _r54, _r55, _r56, _r57, _r58, _r59, _r60, _r61, _r62, _r63, _r64, _r65, _r66, _r67, _r68, _r69, _r70, _r71, _r72, _r73, _r74, _r75, _r76 = _halves(_room[:77])
@@ -1526,7 +1526,7 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s58 = _add(_multiply(_s57, _s48, _r43), _s56, _r43)
     _s59 = _add(_add(root_level, _s58, _r36), _add(_add(_multiply(_absolute(nx, _r44), _s3, _r44), _multiply(_absolute(ny, _r45), _s5, _r45), _r45), _multiply(_absolute(nz, _r44), _s8, _r44), _r44), _r44)
     _s60 = _multiply(bend_s, _s59, _r36)
-    _s61 = _subtract(_multiply(_k68, _s60, _r45), _k64, _r45)
+    _s61 = _subtract(_multiply(_k68, _add(_multiply(place_n, left_bend_s, _r45), _s60, _r45), _r45), _k64, _r45)
     _s62 = _select(_s55 < _s61, _s61, _s55, _r46) <= _k29
     _s63 = _result(_s62, _multiply(_k27, _s59, _r44), _k30, _r0)
     _s64 = _multiply(nz, tangent_y, _r46)

@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 from hoopgen.derive import model
 from hoopgen.derive.scenes.court import COURT
+from hoopgen.derive.scenes.scene import Scene as Derived
 
 from hoopgen.scene import Scene
 from hoopgen.simulation.engine import Engine
@@ -101,25 +102,33 @@ class OfFormulas(Check):
 
 @dataclass(frozen=True)
 class WithKernels(Check):
-    """A test whose first argument is the kernels of the court."""
+    """A test whose first argument is the kernels of a scene.
+
+    Attributes
+    ----------
+    scene
+        The scene, by default the court.
+    """
+
+    scene: Derived = field(default=COURT, kw_only=True, repr=False)
 
     @property
     def origin(self) -> Hashable:
-        """The court's kernels."""
-        return DerivedKernels
+        """The scene's kernels."""
+        return DerivedKernels, id(self.scene)
 
     def derive(self, folder: Path) -> DerivedKernels:
-        """Derive the court."""
-        return DerivedKernels.from_scene(COURT)
+        """Derive the scene."""
+        return DerivedKernels.from_scene(self.scene)
 
     def run(self, derived: Any) -> None:
-        """Run the test with kernels of the court."""
+        """Run the test with kernels of the scene."""
         self._call(derived)
 
 
 @dataclass(frozen=True)
 class OfKernels(WithKernels):
-    """A test that calls the kernels of the court in modules that it uses.
+    """A test that calls the kernels of a scene in modules that it uses.
 
     Attributes
     ----------
@@ -130,7 +139,7 @@ class OfKernels(WithKernels):
     named: tuple[tuple[str, str], ...] = ()
 
     def run(self, derived: Any) -> None:
-        """Run the test with kernels of the court in place of the generated ones."""
+        """Run the test with kernels of the scene in place of the generated ones."""
         with pytest.MonkeyPatch.context() as there:
             for module, name in self.named or ((self.test.__module__, "court"),):
                 there.setattr(sys.modules[module], name, derived)

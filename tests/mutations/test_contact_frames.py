@@ -1,0 +1,257 @@
+"""Deliberate faults in the lemma "growth of errors": each trips a test with errors at their limits.
+
+Not seen are faults in terms that are small beside others with the same cause: the second order of
+velocity and spin, beside that of place and normal and the slack of 2^-10; the curvature's share of
+the distance from the surface; the roundings of T, 2^-19 of the sizes, beside the same slack; the
+roundings of velocities in a flight, beside those of an impact; the second condition, on the
+curvature, beside the first; and the condition at an end.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from hoopgen.derive.errors import contact_frames as frames
+from hoopgen.derive.loop import predicates as following
+from hoopgen.derive.scenes import HOOP
+
+pytest.importorskip("flint")
+
+from tests.derive.errors import test_contact_frames as lemma
+from tests.helpers.checked_faults import OfKernels, Planted, passing, tripping
+from tests.helpers.mutants import Patch, in_text
+
+pytestmark = [pytest.mark.xdist_group("frame_mutations")]
+
+
+def check(test: Any, *given: tuple[Any, ...]) -> OfKernels:
+    """Return a test of the lemma with the kernels of a derivation."""
+    return OfKernels(test, given or ((),), ((lemma.__name__, "kernels"),), scene=HOOP)
+
+
+of_roundings, of_one, of_many, of_large = (
+    check(lemma.test_errors_at_their_limits_stay_within_the_bounds, (bounds,))
+    for bounds in ("none", "one", "many", "one large")
+)
+of_many_roundings = check(
+    lemma.test_no_errors_of_many_flights_exceed_the_bounds, *(("none", seed) for seed in range(4))
+)
+level = check(lemma.test_the_level_of_a_start_may_be_far_off_the_surface)
+unproved = check(
+    lemma.test_where_the_lemma_does_not_hold_bounds_are_infinite_and_what_follows_is_undecided
+)
+at_end, at_time = (
+    check(lemma.test_errors_at_the_end_are_within_the_bounds, (end, "none"), (end, "one"))
+    for end in (lemma.at_end, lemma.at_time)
+)
+
+
+def in_rest(old: str, new: str) -> Patch:
+    """Replace text of the terms beside |T| B."""
+    return in_text(frames._Rest, "__init__", old, new)
+
+
+def in_matrix(old: str, new: str) -> Patch:
+    """Replace text of T."""
+    return in_text(frames, "contact_errors", old, new)
+
+
+def without_column(column: str) -> Patch:
+    """Replace a column of T by zeros."""
+    return in_matrix(f"        {column},\n", "        (still, still, still),\n")
+
+
+CONDITION = "barrier(12 * slowed - nearing)"
+LENGTHS = "barrier(MOST_LENGTHS * barrier(longer + LEFT_BENDS[0] * BOUNDS[0]) - 1)"
+
+FAULTS = (
+    Planted(
+        "the exact ball is on the surface at the computed time",
+        in_rest("gap + root_offset + bent", "gap + bent"),
+        of_roundings,
+    ),
+    Planted(
+        "the root has no delay",
+        in_rest("barrier(root_offset + blur) / nearing", "blur / nearing"),
+        of_roundings,
+    ),
+    Planted(
+        "a return counts from the surface",
+        in_text(frames, "tangents", "kept = barrier(BOUNDS[0] + again)", "kept = again"),
+        of_one,
+    ),
+    Planted(
+        "a place is off the surface by no rounding of the flight",
+        in_rest("normals + root_level + place", "root_level + place"),
+        of_roundings,
+    ),
+    Planted(
+        "a place is off the surface by no second order",
+        in_rest("normals + root_level + place", "normals + root_level"),
+        of_one,
+    ),
+    Planted(
+        "normals are unit vectors at the contact",
+        in_rest("longer = barrier(here.bends[0] * self.level)", "longer = sp.Integer(0)"),
+        of_one,
+    ),
+    Planted(
+        "normals are unit vectors wherever a flight begins and ends",
+        in_rest(LENGTHS, "sp.Integer(-1)"),
+        level,
+    ),
+    Planted(
+        "the normal has no rounding",
+        in_text(frames, "tangents", "UNIT_ROUNDOFF * barrier(2 * wide + 7)", "sp.Integer(0)"),
+        of_roundings,
+    ),
+    Planted(
+        "a rounding of the normal does not turn a rolling spin",
+        in_rest("+ stays * barrier(size * per_radius * normal_rounding)", ""),
+        of_many_roundings,
+    ),
+    Planted(
+        "an impact has seven roundings",
+        lambda patch: patch.setattr(frames, "LAW_ROUNDINGS", 7),
+        of_roundings,
+    ),
+    Planted(
+        "velocities do not turn across the wire",
+        in_text(
+            frames.Frame,
+            "turned",
+            "(barrier(-s * per_s), barrier(n * per_s), zero)",
+            "(zero, zero, zero)",
+        ),
+        of_one,
+    ),
+    Planted(
+        "velocities do not turn about the axis",
+        in_text(frames.Frame, "turned", "barrier(barrier(up_n * s - up_s * n) * per_e)", "zero"),
+        of_one,
+    ),
+    Planted(
+        "a ball does not fall during its delay",
+        in_matrix("[a * delay for a in fall]", "[zero] * 3"),
+        of_one,
+    ),
+    Planted(
+        "a ball does not move along the surface during its delay",
+        in_matrix("_held(s + moving[1] * delay)", "_held(s)"),
+        of_one,
+    ),
+    Planted(
+        "an offset from the surface does not count",
+        without_column("((one, zero, zero), still, still)"),
+        of_many,
+    ),
+    Planted("y_w does not count", without_column("(still, still, (one, zero, zero))"), of_one),
+    Planted(
+        "y_z across e does not count", without_column("(still, still, (zero, one, zero))"), of_one
+    ),
+    Planted(
+        "y_z along e does not count", without_column("(still, still, (zero, zero, one))"), of_one
+    ),
+    Planted(
+        "y_s has no spin",
+        in_matrix(
+            "(still, (zero, one, zero), (zero, zero, per_radius))",
+            "(still, (zero, one, zero), still)",
+        ),
+        of_one,
+    ),
+    Planted(
+        "Newton's method leaves no residue",
+        in_text(
+            frames,
+            "tangents",
+            "maximum(sp.Rational(9, 8) * noise, residue)",
+            "sp.Rational(9, 8) * noise",
+        ),
+        of_roundings,
+    ),
+    Planted(
+        "the ring's condition has no roundings",
+        in_text(
+            frames,
+            "tangents",
+            "noise + maximum(sp.Rational(9, 8) * noise, residue)",
+            "residue",
+        ),
+        of_roundings,
+    ),
+    Planted(
+        "a root on a plane has no roundings of its time",
+        in_text(
+            frames,
+            "tangents",
+            "absolute(position[axis]) + 4 * along",
+            "absolute(position[axis]) + 0 * along",
+        ),
+        of_roundings,
+    ),
+    Planted(
+        "a flight's products have no roundings",
+        in_text(frames, "_flight_roundings", "2 * absolute(mean) * t", "0 * t"),
+        of_roundings,
+    ),
+    Planted(
+        "a flight has no roundings along the surface",
+        in_rest("barrier(r + absolute(v) * delay)", "barrier(absolute(v) * delay)"),
+        of_roundings,
+    ),
+    Planted(
+        "a velocity has no roundings in a flight",
+        in_text(
+            frames,
+            "_flight_roundings",
+            "UNIT_ROUNDOFF * barrier(sum(map(absolute, velocity)) + flight.strength * t)",
+            "0 * t",
+        ),
+        at_time,
+    ),
+    Planted(
+        "the derivative leaves nothing out",
+        in_rest("place = barrier(size * belated + drift)", "place = sp.Integer(0)"),
+        of_large,
+    ),
+    Planted("a slow contact is proved", in_rest(CONDITION, "sp.Integer(-1)"), unproved),
+    Planted(
+        "the sum of an event's time is not rounded",
+        in_matrix("delay + 4 * UNIT_ROUNDOFF * barrier(clock + t)", "delay"),
+        of_roundings,
+    ),
+    Planted(
+        "errors of earlier contacts' times do not count",
+        in_text(following, "_of_errors", "clock_error + delay", "delay"),
+        of_roundings,
+    ),
+    Planted(
+        "a frame that is turned leaves velocities alone",
+        in_text(frames, "norms_after", "velocity_after * turned + y_n", "y_n"),
+        of_one,
+    ),
+    Planted(
+        "a ball is at an end when it is computed to be",
+        in_text(
+            frames, "errors_at_end", "off + barrier(size + change) * late, change", "off, change"
+        ),
+        at_end,
+    ),
+    Planted(
+        "a root on the end plane is exact",
+        in_text(
+            frames, "errors_at_end", "barrier(sum(places)) + root_offset)", "barrier(sum(places)))"
+        ),
+        at_end,
+    ),
+    Planted(
+        "at the time limit no contact was late",
+        in_text(frames, "errors_at_time", "clock_error + 4", "0 * clock_error + 4"),
+        at_time,
+    ),
+)
+
+test_a_fault_trips_its_check = tripping(FAULTS)
+test_without_a_fault_the_checks_pass = passing(FAULTS)
