@@ -11,7 +11,6 @@ Every function takes scalars or arrays that broadcast and is evaluated element b
 from __future__ import annotations
 
 from enum import IntEnum
-from functools import cache as _cache
 from math import sqrt as _square_root
 from typing import Any, NamedTuple
 
@@ -2833,12 +2832,6 @@ def _chosen(truth: Any, new: Any, old: Any) -> Any:
     if many == len(truth) and _ndim(new):
         return new
     return _where(truth, new, old)
-
-
-@_cache
-def _fixed(kernel: Any, *numbers: float) -> tuple[Any, ...]:
-    """Return what a kernel makes of numbers alone, which is the same in each turn."""
-    return tuple(kernel(*numbers))
 
 
 _NOWHERE = _flatnonzero(())

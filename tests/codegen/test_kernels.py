@@ -50,11 +50,15 @@ NAMES = tuple(hoop.OUTPUTS)
 ROWS = trials(200, at_least=110)
 """Rows at which kernels are compared with 50 digits: what is put into rows is within 110."""
 
-RARELY_MET = {"ring_prepare": 2, "ring_opened": 1, "ring_nearness": 1}
-"""Choices of which random rows meet one side only: windows whose pads overlap, and a flight
-through the very axis."""
+RARELY_MET = {
+    **{"ring_prepare": 2, "ring_opened": 1, "ring_nearness": 1},
+    **{"plane_start": 2, "ring_tangents": 1},
+}
+"""Choices of which random rows meet one side only: windows whose pads overlap, a flight through the
+very axis, an undecided start at a plane, and a root with less left of Newton's method than
+roundings."""
 
-UNBOUNDED = ("parameters_in_range", "state_in_range", "limited", "opening")
+UNBOUNDED = ("parameters_in_range", "state_in_range", "limited", "opening", "unbounded")
 """Kernels that ask whether their arguments are finite, or of sizes within a range."""
 
 EXTREMES = [0.0, -0.0, 5e-324, -5e-324, 2.5e-308, 1e-150, -1e-150, 1e150, -1e150]

@@ -164,6 +164,9 @@ class NumPyBackend:
         return {
             "loops": views,
             "alone": alone,
+            "fixed": any(
+                "_fixed(" in line for v in views for own in v.lines.values() for line in own
+            ),
             "grouped": any(each.groups for each in lowered.model.loop.tables),
             "shared": _shared(lowered.model),
             "laws": _laws(lowered.model),
