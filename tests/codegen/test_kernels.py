@@ -51,8 +51,11 @@ ROWS = trials(200, at_least=110)
 """Rows at which kernels are compared with 50 digits: what is put into rows is within 110."""
 
 RARELY_MET = {
-    **{"ring_prepare": 2, "ring_opened": 1, "ring_nearness": 1},
-    **{"plane_start": 2, "ring_tangents": 1},
+    "ring_prepare": 2,
+    "ring_opened": 1,
+    "ring_nearness": 1,
+    "plane_start": 2,
+    "ring_tangents": 1,
 }
 """Choices of which random rows meet one side only: windows whose pads overlap, a flight through the
 very axis, an undecided start at a plane, and a root with less left of Newton's method than
