@@ -238,8 +238,8 @@ def as_markdown(tallies: Sequence[Tally], before: str = "") -> str:
         f"`make exactness` simulates {shots:,} shots twice. The engine uses doubles and flags "
         "shots with a contact that it cannot decide. The judge (`hoopgen.certify`) starts from "
         "the same doubles and uses ball arithmetic until every decision is proved: with 128 "
-        "bits, and with more and more for the shots that these do not prove. The judge and the engine "
-        "share the formulas in `derive/` and no numerical code. Among the shots that the engine "
+        "bits, and with more and more for the shots that these do not prove. The judge and the "
+        "engine share the formulas in `derive/` and no numerical code. Among the shots that the engine "
         f"did not flag, **{wrong}** have a wrong result. Shots that break a promise are stored in "
         "`exactness.json`, with all digits.",
         "",
