@@ -239,9 +239,9 @@ def as_markdown(tallies: Sequence[Tally], before: str = "") -> str:
         "shots with a contact that it cannot decide. The judge (`hoopgen.certify`) starts from "
         "the same doubles and uses ball arithmetic until every decision is proved: with 128 "
         "bits, and with more and more for the shots that these do not prove. The judge and the "
-        "engine share the formulas in `derive/` and no numerical code. Among the shots that the engine "
-        f"did not flag, **{wrong}** have a wrong result. Shots that break a promise are stored in "
-        "`exactness.json`, with all digits.",
+        "engine share the formulas in `derive/` and no numerical code. Among the shots that the "
+        f"engine did not flag, **{wrong}** have a wrong result. Shots that break a promise are "
+        "stored in `exactness.json`, with all digits.",
         "",
         "## Decisions",
         "",
