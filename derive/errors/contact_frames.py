@@ -51,7 +51,8 @@ coordinates, y_z, is made by each contact anew, of roundings and the second orde
 w = n × v/R_B along the surface. ∎
 
 If the lemma's conditions do not hold, or the normals are 2^-22 longer or shorter than 1, the
-bounds are infinite, and a shot with bounds that are not finite is uncertain at once.
+bounds are infinite, and a shot with bounds that are not finite after a contact is uncertain at
+once. At an end they are infinite alone: no decision follows.
 """
 
 from __future__ import annotations
@@ -635,8 +636,8 @@ def tangents(surface: Surface, flight: Parabola) -> dict[str, sp.Expr]:
         )
         begun = barrier(sum(map(absolute, velocity)) + flight.strength * t)
         rising = maximum(0, barrier(velocity[2] + flight.strength * t))
-        fallen = barrier(rising + barrier(sp.sqrt(flight.strength * reach)))
-        swept = barrier(begun + 2 * fallen) * t
+        half_gain = barrier(rising + barrier(sp.sqrt(flight.strength * reach)))
+        swept = barrier(begun + 2 * half_gain) * t
         short = 4 * barrier(swept * surface.curvature)
         kept = barrier(BOUNDS[0] + again)
         offset = IfAtMost(short, 1, again, maximum(again, barrier(once + BOUNDS[0])))

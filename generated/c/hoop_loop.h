@@ -2097,10 +2097,6 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     EACH(SELECT, (_if_touches_1, _impact_1), vx, vy, vz, wx, wy, wz)
                 }
 #if BOUNDED
-                CALL(hoop_unbounded, _unbounded_1)(clock_error, position_bound, velocity_bound, spin_bound);
-                EACH(GET_MASK, _unbounded_1, unbounded)
-                CALL(hoop_without_bounds, _without_bounds_1)(unbounded, uncertain);
-                EACH(SELECT, (_if_meeting_1, _without_bounds_1), uncertain)
                 CALL(hoop_here, _here_8)(K(1.0), which);
                 EACH(SET, _here_8, here)
                 const M _if_here_8 = lanes_both(_if_meeting_1, here);
@@ -2136,6 +2132,12 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 }
                 const M _if_touches_2 = lanes_both(_if_meeting_1, touches);
                 {
+#if BOUNDED
+                    CALL(hoop_unbounded, _unbounded_1)(clock_error, position_bound, velocity_bound, spin_bound);
+                    EACH(GET_MASK, _unbounded_1, unbounded)
+                    CALL(hoop_without_bounds, _without_bounds_1)(unbounded, uncertain);
+                    EACH(SELECT, (_if_touches_2, _without_bounds_1), uncertain)
+#endif
                     CALL(hoop_touched, _touched_1)(which, body, first);
                     EACH(SELECT, (_if_touches_2, _touched_1), first, last)
                 }

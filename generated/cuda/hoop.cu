@@ -2849,29 +2849,29 @@ static __device__ __forceinline__ void hoop_loop(
                 wy = _o143.wy;
                 wz = _o143.wz;
             }
-            if (BOUNDS) {
-                const kernel_unbounded_out _o144 = kernel_unbounded(clock_error, position_bound, velocity_bound, spin_bound);
-                unbounded = _o144.unbounded;
-                const kernel_without_bounds_out _o145 = kernel_without_bounds(unbounded, uncertain);
-                uncertain = _o145.uncertain;
+            const kernel_here_out _o144 = kernel_here(1.0, which);
+            here = _o144.here;
+            if (here) {
+                const kernel_backboard_place_out _o145 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
+                x = _o145.x;
+                y = _o145.y;
+                z = _o145.z;
             }
-            const kernel_here_out _o146 = kernel_here(1.0, which);
+            const kernel_here_out _o146 = kernel_here(2.0, which);
             here = _o146.here;
             if (here) {
-                const kernel_backboard_place_out _o147 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
+                const kernel_bridge_place_out _o147 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
                 x = _o147.x;
                 y = _o147.y;
                 z = _o147.z;
             }
-            const kernel_here_out _o148 = kernel_here(2.0, which);
-            here = _o148.here;
-            if (here) {
-                const kernel_bridge_place_out _o149 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
-                x = _o149.x;
-                y = _o149.y;
-                z = _o149.z;
-            }
             if (touches) {
+                if (BOUNDS) {
+                    const kernel_unbounded_out _o148 = kernel_unbounded(clock_error, position_bound, velocity_bound, spin_bound);
+                    unbounded = _o148.unbounded;
+                    const kernel_without_bounds_out _o149 = kernel_without_bounds(unbounded, uncertain);
+                    uncertain = _o149.uncertain;
+                }
                 const kernel_touched_out _o150 = kernel_touched(which, body, first);
                 first = _o150.first;
                 last = _o150.last;
