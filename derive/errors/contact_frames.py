@@ -91,6 +91,9 @@ from . import second_order as remainder
 BOUNDS = sp.symbols("place_n place_s place_e pace_n pace_s pace_e turn_n turn_z", nonnegative=True)
 """B_n, B_s and B_e of the place, the bounds of y_n, y_s and y_e, B_w and B_z."""
 
+EACH = (*BOUNDS, BOUNDS[-1])
+"""The bound of each coordinate; both components of y_z have the same."""
+
 NORMS = sp.symbols("position_bound velocity_bound spin_bound", nonnegative=True)
 """P, E and W: bounds on the norms of the errors of place, velocity and spin."""
 
@@ -111,14 +114,14 @@ normal_velocity = sp.Symbol("normal_velocity", real=True)
 back = sp.Symbol("back", nonnegative=True)
 """1: the flight began on the same surface; 0: it did not."""
 
+CARRIED = (*BOUNDS, *NORMS, *left_normal, *LEFT_TANGENT, *LEFT_BENDS)
+"""The numbers that are carried from contact to contact."""
+
 ARGUMENTS = (
     *(*BOUNDS, *NORMS, *TANGENT, *BENDS, *LEFT_TANGENT, *LEFT_BENDS),
     *(sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back),
 )
 """Arguments of the kernels of this module besides those of `propagation`, in calling order."""
-
-CARRIED = (*BOUNDS, *NORMS, *left_normal, *LEFT_TANGENT, *LEFT_BENDS)
-"""The numbers that are carried from contact to contact."""
 
 MOST_LENGTHS = 2**22
 """One over how much longer normals off the surface are than 1, at both ends of a flight: so little
@@ -130,7 +133,11 @@ LAW_ROUNDINGS = 14
 T_ROUNDING = sp.Rational(1, 2**19)
 """Roundings of T in single precision, of the sizes of all products in it: 2^5 units of 2^-24. An
 element of its first rows has at most 24 in a chain, with those of its factors, which are components
-of unit vectors, velocities and times; the sizes count those of later rows twice."""
+of unit vectors, velocities and times; the sizes count those of later rows twice. The rows of a
+rotation are unit vectors, so that their products with bounds are at most the norms of these."""
+
+DIAGONAL = sp.Rational(27, 64)
+"""At least sqrt(2) - 1: what the diagonal of a square has more than its side."""
 
 FLOOR = sp.Rational(1, 2**100)
 """A length, and a velocity, that single precision still represents."""
@@ -220,18 +227,36 @@ def _rotated(matrix: sp.Matrix, vector: Vector) -> Vector:
     return n, s, e
 
 
-def _sized(factors: Sequence[sp.Expr], bounds: Sequence[sp.Expr]) -> sp.Expr:
-    """Return the sum of bounds, each times the absolute value of a factor."""
+def sized(factors: Sequence[sp.Expr], bounds: Sequence[sp.Expr]) -> sp.Expr:
+    """Return the sum of bounds, each times the absolute value of a factor.
+
+    Parameters
+    ----------
+    factors
+        The factors, of any sign.
+    bounds
+        A bound for each of them.
+    """
     pairs = zip(factors, bounds, strict=True)
     return barrier(sp.Add(*(absolute(factor) * b for factor, b in pairs if factor != 0)))
+
+
+def _norm(vector: Sequence[sp.Expr]) -> sp.Expr:
+    """Return a bound on the Euclidean norm of a vector with components of at least zero.
+
+    Where one component is the largest, the norm is convex in the others and the bound linear; it
+    holds at the corners, where each is zero or as large.
+    """
+    most = barrier(maximum(*vector))
+    return barrier(most + DIAGONAL * barrier(sum(vector) - most))
 
 
 def norms_after(
     frame: Frame,
     ball: Ball,
     bounds: Sequence[sp.Expr],
-    velocity_after: sp.Expr,
-    spin_after: sp.Expr,
+    after: tuple[Vector, Vector],
+    sizes: tuple[sp.Expr, sp.Expr],
 ) -> dict[str, sp.Expr]:
     """Return P, E and W from the bounds in the coordinates.
 
@@ -243,18 +268,23 @@ def norms_after(
         The ball.
     bounds
         As `BOUNDS`.
-    velocity_after, spin_after
+    after
+        The components of velocity and spin after the contact, computed in single precision.
+    sizes
         Bounds on the sizes of velocity and spin after the contact.
     """
     q_n, q_s, q_e, y_n, y_s, y_e, y_w, y_z = bounds
-    turned = barrier(q_s * frame.bends[0] + q_e * frame.bends[1])
-    along = barrier(y_s + y_e)
-    values = (
-        q_n + q_s + q_e,
-        velocity_after * turned + y_n + along,
-        spin_after * turned + along / ball.radius + y_w + 2 * y_z,
+    turned = barrier(T_ROUNDING * barrier(q_s * frame.bends[0] + q_e * frame.bends[1]))
+    own = (y_n, y_s, y_e), (y_w, y_e / ball.radius + y_z, y_s / ball.radius + y_z)
+    moved, spun = (
+        [
+            barrier(absolute(along) * q_s + absolute(around) * q_e + one + size * turned)
+            for along, around, one in zip(*frame.turned(vector), part, strict=True)
+        ]
+        for vector, part, size in zip(after, own, sizes, strict=True)
     )
-    return {s.name: ROUNDING_SLACK * barrier(value) for s, value in zip(NORMS, values, strict=True)}
+    values = (_norm((q_n, q_s, q_e)), _norm(moved), _norm(spun))
+    return {s.name: ROUNDING_SLACK * value for s, value in zip(NORMS, values, strict=True)}
 
 
 def _means(flight: Parabola) -> list[sp.Expr]:
@@ -284,20 +314,72 @@ def _flight_roundings(flight: Parabola) -> tuple[list[sp.Expr], sp.Expr]:
     return places, speeds
 
 
-def contact_errors(flight: Parabola, ball: Ball, restitution: sp.Expr) -> dict[str, sp.Expr]:
-    """Return the bounds after a contact from those at the departure before it, with the lemma.
+@dataclass(frozen=True)
+class Growth:
+    """The growth of errors over a flight and a contact without slip, to first order.
 
-    Arguments of the formulas are the state before the impact, its normal and frame, the time t of
-    the flight, and the bounds and the frame of the departure.
+    Attributes
+    ----------
+    here
+        The frame of the contact.
+    columns
+        T by columns, q_n, ..., y_w and y_z along s and along e, each (6,).
+    gap
+        The distance from the surface at the computed time that errors at the start cause.
+    after
+        The components of velocity and spin after the contact.
+    """
+
+    here: Frame
+    columns: Sequence[Sequence[sp.Expr]]
+    gap: sp.Expr
+    after: tuple[Vector, Vector]
+
+    def grown(self, bounds: Sequence[sp.Expr]) -> list[sp.Expr]:
+        """Return |T| times bounds.
+
+        Parameters
+        ----------
+        bounds
+            A bound for each column.
+        """
+        return [sized(row, bounds) for row in zip(*self.columns, strict=True)]
+
+    def errors_after(self, ball: Ball, found: Sequence[sp.Expr], rest: Rest) -> dict[str, sp.Expr]:
+        """Return the outputs of a kernel that carries bounds, infinite where no lemma holds.
+
+        Parameters
+        ----------
+        ball
+            The ball.
+        found
+            The bounds of the coordinates that a contact makes of those before it, (6,).
+        rest
+            The terms beside |T| B.
+        """
+        bounds = [
+            barrier(ROUNDING_SLACK * barrier(one)) for one in (rest.level, *found, rest.unrolled)
+        ]
+        sizes = rest.speed_after, rest.spin_after
+        norms = norms_after(self.here, ball, bounds, self.after, sizes)
+        delay = IfAtMost(rest.excess, 0, ROUNDING_SLACK * rest.late, sp.oo)
+        proved = {s.name: bound for s, bound in zip(BOUNDS, bounds, strict=True)} | norms
+        return {
+            **{name: IfAtMost(rest.excess, 0, bound, sp.oo) for name, bound in proved.items()},
+            **{f"left_n{axis}": n for axis, n in zip("xyz", normal, strict=True)},
+            **{s.name: value for s, value in zip(LEFT_TANGENT, TANGENT, strict=True)},
+            **{s.name: value for s, value in zip(LEFT_BENDS, BENDS, strict=True)},
+            "delay": delay + 4 * UNIT_ROUNDOFF * barrier(clock + t),
+        }
+
+
+def growth(flight: Parabola, ball: Ball, restitution: sp.Expr) -> Growth:
+    """Return the growth of errors over a flight and a contact.
 
     Parameters
     ----------
-    flight
-        The motion between contacts.
-    ball
-        The ball.
-    restitution
-        e of the law, which has no slip.
+    flight, ball, restitution
+        As for `contact_errors`.
     """
     left = Frame.of(left_normal, LEFT_TANGENT, LEFT_BENDS)
     here = Frame.of(normal, TANGENT, BENDS)
@@ -326,7 +408,7 @@ def contact_errors(flight: Parabola, ball: Ball, restitution: sp.Expr) -> dict[s
     per_approach, gives = barrier(1 / normal_velocity), barrier(share * radius)
     turned_velocity, turned_spin = here.turned(moving), here.turned(turning)
     gaps: list[sp.Expr] = []
-    rows: list[tuple[sp.Expr, ...]] = []
+    found: list[tuple[sp.Expr, ...]] = []
     for index, (place, pace, turn) in enumerate(columns):
         one_n, one_s, one_e = (_held(p + t * v) for p, v in zip(place, pace, strict=True))
         n, s, e = _rotated(between, (one_n, one_s, one_e))
@@ -345,7 +427,7 @@ def contact_errors(flight: Parabola, ball: Ball, restitution: sp.Expr) -> dict[s
                 (turn, [zero] * 3, *turned_spin),
             )
         )
-        rows.append(
+        found.append(
             (
                 *(q_s, q_e, _held(-restitution * v[0])),
                 _held(stays * v[1] + gives * w[2]),
@@ -353,28 +435,37 @@ def contact_errors(flight: Parabola, ball: Ball, restitution: sp.Expr) -> dict[s
                 w[0],
             )
         )
-    each = (*BOUNDS, BOUNDS[-1])
-    grown = [_sized(row, each) for row in zip(*rows, strict=True)]
-    gap = _sized(gaps, each)
-    rest = _Rest(flight, ball, restitution, here, gap)
-    found = [value + extra for value, extra in zip(grown, rest.extras, strict=True)]
-    bounds = [
-        barrier(IfAtMost(rest.excess, 0, ROUNDING_SLACK * barrier(one), sp.oo))
-        for one in (rest.level, *found, rest.unrolled)
-    ]
-    norms = norms_after(here, ball, bounds, rest.speed_after, rest.spin_after)
-    delay = IfAtMost(rest.excess, 0, ROUNDING_SLACK * rest.late, sp.oo)
-    return {
-        **{s.name: value for s, value in zip(BOUNDS, bounds, strict=True)},
-        **{name: IfAtMost(rest.excess, 0, norm, sp.oo) for name, norm in norms.items()},
-        **{f"left_n{axis}": n for axis, n in zip("xyz", normal, strict=True)},
-        **{s.name: value for s, value in zip(LEFT_TANGENT, TANGENT, strict=True)},
-        **{s.name: value for s, value in zip(LEFT_BENDS, BENDS, strict=True)},
-        "delay": delay + 4 * UNIT_ROUNDOFF * barrier(clock + t),
-    }
+    leaving = (
+        barrier(-restitution * moving[0]),
+        barrier(stays * moving[1] + gives * turning[2]),
+        barrier(stays * moving[2] - gives * turning[1]),
+    )
+    rolling = (turning[0], barrier(-leaving[2] * per_radius), barrier(leaving[1] * per_radius))
+    return Growth(here, found, sized(gaps, EACH), (leaving, rolling))
 
 
-class _Rest:
+def contact_errors(flight: Parabola, ball: Ball, restitution: sp.Expr) -> dict[str, sp.Expr]:
+    """Return the bounds after a contact from those at the departure before it, with the lemma.
+
+    Arguments of the formulas are the state before the impact, its normal and frame, the time t of
+    the flight, and the bounds and the frame of the departure.
+
+    Parameters
+    ----------
+    flight
+        The motion between contacts.
+    ball
+        The ball.
+    restitution
+        e of the law, which has no slip.
+    """
+    grows = growth(flight, ball, restitution)
+    rest = Rest(flight, ball, restitution, grows.here, grows.gap)
+    pairs = zip(grows.grown(EACH), rest.extras, strict=True)
+    return grows.errors_after(ball, [value + extra for value, extra in pairs], rest)
+
+
+class Rest:
     """Terms beside |T| B at a contact: roundings, the second order, and T's own roundings.
 
     Parameters

@@ -8,7 +8,7 @@ import sympy as sp
 
 from ..contact.law import Law
 from ..contact.no_slip import NoSlip
-from ..errors import contact_frames, propagation
+from ..errors import contact_frames, propagation, tighter_bounds
 from ..ir.kernel import Kernel, kernel
 from ..motion.parabola import Parabola
 from ..rolling import friction_limit, jump, settling
@@ -81,9 +81,19 @@ def _kernels(
         if scene.bounds_jumps:
             kernels["rebound"] = jump.rebound_kernel(law)
         kernels["grip_deficit"] = friction_limit.friction_excess(law)
+    carried_source = f"derivative of {law.description}, with roundings"
     if isinstance(law, NoSlip) and isinstance(scene.flight, Parabola) and scene.proves_errors:
-        carried = contact_frames.contact_errors(scene.flight, scene.ball, law.restitution)
+        motion = scene.flight, scene.ball, law.restitution
+        carried = contact_frames.contact_errors(*motion)
         carried_summary = "Bounds on errors after a contact, from those at the departure before it."
+        kernels["tighten"] = kernel(
+            f"tighten_{law.name}",
+            tighter_bounds.tighter_errors(*motion),
+            order,
+            "The same, through the product of derivatives since an earlier contact.",
+            carried_source,
+            scene.single_errors,
+        )
     else:
         carried = propagation.errors_after_impact(law, scene.ball, scene.rolls)
         carried_summary = "Errors of velocity and spin after a contact, from those before it."
@@ -100,7 +110,7 @@ def _kernels(
             carried,
             order,
             carried_summary,
-            f"derivative of {law.description}, with roundings",
+            carried_source,
             scene.single_errors,
         ),
         "vary": law_variation(law, scene, order),

@@ -4,6 +4,10 @@ There are four stages. `validate` validates the parameters and `start` a release
 `detect` detects the next event and moves the ball there, and `resolve` resolves the event, again
 and again until the shot has an outcome. Between the stages a target does its own work: it fills its
 lanes, writes the log, and stores results.
+
+Where bounds on errors are proved there is a fifth, `review`: it finds the shots that have ended
+uncertain, and that may be certain with bounds that cost more. A target simulates these again with
+`tightening` 1, and takes the results that need bounds from this second pass. The path is the same.
 """
 
 from __future__ import annotations
@@ -29,7 +33,7 @@ from ..state.shared_kernels import (
     parameter_variables,
     take_parameters,
 )
-from .loop import Loop
+from .loop import REVIEW, TIGHTENING, Loop
 from .predicates import GOES_ON
 
 
@@ -56,9 +60,10 @@ def event_loop(
     open_ended
         True if the time limit ends every shot, also one that meets nothing any more.
     """
+    proved = "carry_end" in common
     return Loop(
         tuple(fields),
-        ("most_contacts", "time_limit", "claims"),
+        ("most_contacts", "time_limit", "claims", *([TIGHTENING] if proved else [])),
         tuple(parameters),
         {
             "validate": (
@@ -79,6 +84,7 @@ def event_loop(
             "resolve": tuple(
                 _resolve(common, contacts, end_planes, {field.name for field in fields})
             ),
+            **({REVIEW: (Call(common["loose"]),)} if proved else {}),
         },
     )
 
@@ -349,6 +355,10 @@ def _proved_errors(
         yield from kind.evaluate(common, "tangents")
     if end_planes:
         yield If("ends", tuple(_timed(common, common["carry_end"])))
+    yield Call(common["tightens"])
+    law = contacts[0].law
+    yield If("carries", tuple(_timed(common, law["carry"])), usual=True)
+    yield If("tightens", tuple(_timed(common, law["tighten"])), rare=True)
     yield from _laws(common, contacts)
     for kind in kinds:
         yield from kind.evaluate(common, "place")
@@ -395,8 +405,6 @@ def _law(common: Parts, surface: LoopSurface) -> Iterator[Call]:
     if "undecided" in surface.law:
         yield Call(surface.law["undecided"])
         yield Call(common["undecided"])
-    if "carry_end" in common:
-        yield from _timed(common, surface.law["carry"])
-    else:
+    if "carry_end" not in common:
         yield Call(surface.law["carry"])
     yield Call(surface.law["impact"])

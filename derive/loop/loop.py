@@ -13,6 +13,12 @@ from ..ir.event_tree import Call, ForEach, Node, check, live_before, needed, wal
 from ..ir.kernel import Kind as VariableKind
 from ..state.fields import Field
 
+REVIEW = "review"
+"""The stage that decides whether a shot that has ended is simulated again with `TIGHTENING` 1."""
+
+TIGHTENING = "tightening"
+"""The number of the caller that is 1 in this second pass, else 0."""
+
 TEMPORARY_BOUNDS = {"earliest_delay": 0.0, "delay": 0.0, "undecided_time": float("inf")}
 """Error bounds within a stage, with their values in a loop without error bounds."""
 
@@ -79,7 +85,12 @@ class Loop:
         """The values of the variables that the loop without diagnostic fields never assigns."""
         fixed = {f.name: f.start for f in self.fields if f.is_diagnostic and f.start is not None}
         fixed |= TEMPORARY_BOUNDS | {"position_error": 0.0, "velocity_error": 0.0, "claims": 0.0}
-        return fixed
+        return fixed | {TIGHTENING: 0.0}
+
+    @property
+    def tightens(self) -> bool:
+        """True if some shots are simulated again, to tighten bounds on their errors."""
+        return TIGHTENING in self.job
 
     def plain(self) -> Loop:
         """Return the loop without diagnostic fields; the trajectory is the same."""
@@ -90,6 +101,6 @@ class Loop:
         for name, nodes in reversed(list(self.stages.items())):
             stages[name] = needed(without(nodes, fixed), wanted)
             wanted |= live_before(stages[name], wanted)
-        stages = dict(reversed(stages.items()))
+        stages = {name: own for name, own in reversed(stages.items()) if own}
         job = tuple(j for j in self.job if j not in fixed)
         return Loop(influential, job, self.parameters, stages)

@@ -47,6 +47,8 @@ first, body, reached, outcome, most_contacts, claims, count, valid, uncertain = 
 )
 """First body touched, and body of this event; outcome of an event that ends the shot; contact limit
 and other numbers of the caller; validity of the start."""
+tightening = sp.Symbol("tightening", nonnegative=True)
+"""1 where bounds on errors are tightened, else 0."""
 time_limit = sp.Symbol("time_limit", nonnegative=True)
 """Time since the release at which a shot ends, s; infinite: there is no limit."""
 ends, edge, touches, in_range, permitted = map(
@@ -125,6 +127,15 @@ def _of_scene(
                 "uncertain": Choose(all_of(permitted, in_range, Less(0, undecided_time)), 1, 0),
             },
             "Outcome of a shot at its start, and whether that is uncertain.",
+        ),
+        decision(
+            "loose",
+            {
+                "loose": all_of(
+                    Less(0, uncertain), Less(0, contacts), Not(Equal(outcome, outcomes["capped"]))
+                )
+            },
+            "Whether a shot that has ended may be certain with tighter bounds: it is not capped.",
         ),
         decision("expiry", expiry(open_ended), "The time limit as an arrival."),
         decision(
@@ -285,6 +296,14 @@ KERNELS = {
             "without_bounds",
             {"uncertain": Choose(Boolean("unbounded"), 1, uncertain)},
             "1 if a bound on an error is not finite.",
+        ),
+        decision(
+            "tightens",
+            {
+                "carries": all_of(touches, AtMost(tightening, 0)),
+                "tightens": all_of(touches, Less(0, tightening)),
+            },
+            "How the bounds on errors are carried over a contact.",
         ),
         decision(
             "came_back",

@@ -13,7 +13,7 @@ from math import inf
 
 import sympy as sp
 
-from ..errors import contact_frames
+from ..errors import contact_frames, tighter_bounds
 from ..symbolic.error_terms import ERRORS
 from ..symbolic.symbols import STATE
 
@@ -39,12 +39,15 @@ class Field:
     is_diagnostic
         True if the field never influences the trajectory. A loop without error bounds leaves it
         out, as if it stayed at its start.
+    is_tightening
+        True if only a shot whose errors are tightened needs the field.
     """
 
     name: str
     start: float | None
     summary: str
     is_diagnostic: bool = False
+    is_tightening: bool = False
 
 
 NO_ROLLING = "no ball rolls"
@@ -195,6 +198,8 @@ def fields(
     state = (Field(s.name, None, "of the state") for s in STATE)
     carried = contact_frames.CARRIED if proved else ERRORS
     errors = (Field(s.name, 0.0, _carried(s), True) for s in carried)
+    more = tighter_bounds.TIGHTENING if proved else ()
+    tightening = (Field(s.name, 0.0, "to tighten bounds on errors", True, True) for s in more)
     counts = (Field(f"count_{k}", 0.0, f"contacts with {name}") for k, name in enumerate(bodies))
     claims = (Field(name, 0.0, "bound on the error at the end", True) for name in REPORTED_ERRORS)
     through = Field("through", 0.0, "1: it has fallen through the ring, -1: it came up through it")
@@ -202,6 +207,7 @@ def fields(
     return (
         *state,
         *errors,
+        *tightening,
         *([lengths] if measured else []),
         Field("clock", 0.0, "time of the last event, s since the release"),
         Field("clock_error", 0.0, "what the contacts' times were off by, summed", True),

@@ -118,6 +118,18 @@ LOOP = {
     "pace_e": Entry("Y_e", "bound on the error of the velocity along the horizontal axis"),
     "turn_n": Entry("B_w", "bound on the error of the spin along the normal, in the frame"),
     "turn_z": Entry("B_z", "bound on what of the spin's error rolling does not give"),
+    **{f"origin_{c}": Entry(f"O_{c}", "bound at an earlier contact") for c in "seuvwt"},
+    **{f"recent_{c}": Entry(f"C_{c}", "bound on what has come to it since") for c in "seuvwt"},
+    **{
+        f"product_{i}{j}": Entry(f"M_{{{i}{j}}}", "of the product of derivatives since then")
+        for i in range(1, 7)
+        for j in range(1, 7)
+    },
+    "continued": Entry(r"\mu_M", "1: the product goes on, 0: it begins anew"),
+    "tightening": Entry(r"\tau_B", "1: bounds on errors are tightened, 0: they are not"),
+    "carries": Entry(r"\text{carries}", "bounds are carried over a contact as they are"),
+    "tightens": Entry(r"\text{tightens}", "bounds are carried over a contact and tightened"),
+    "loose": Entry(r"\text{loose}", "tighter bounds may make the shot certain"),
     "position_bound": Entry(r"\mathcal{P}", "bound on the norm of the error of the place"),
     "velocity_bound": Entry(r"\mathcal{E}", "bound on the norm of the error of the velocity"),
     "spin_bound": Entry(r"\mathcal{W}", "bound on the norm of the error of the spin"),

@@ -305,6 +305,25 @@ LANES_INLINE void LOOP(reset)(const court_job *job, size_t start, size_t shots)
         memset(job->results->event_counts + start, 0, shots * sizeof(int32_t));
 }
 
+/* Have the fields of the shots in rows from one on as at a release. */
+LANES_INLINE void LOOP(begin_fields)(LOOP(worklist) *worklist, size_t row, size_t shots)
+{
+    for (size_t k = 0; k < shots; k += LANES_WIDTH) {
+        EACH(BEGIN, K(0.0), clock)
+        BOUNDS(EACH(BEGIN, K(0.0), dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, clock_error))
+        EACH(BEGIN, K(-1.0), first)
+        EACH(BEGIN, K(0.0), contacts, count_0, count_1, count_2)
+        EACH(BEGIN, K(-1.0), held)
+        EACH(BEGIN, K(0.0), mode, circled, rolls, slip_left)
+        BOUNDS(EACH(BEGIN, K(0.0), assured))
+        BOUNDS(EACH(BEGIN, K(INFINITY), grip_lost, last_grip_deficit))
+        EACH(BEGIN, K(0.0), through)
+        BOUNDS(EACH(BEGIN, K(0.0), last_grip_deficit_rate, last_grip_clock, uncertain, position_claim))
+        BOUNDS(EACH(BEGIN, K(0.0), velocity_claim, spin_claim, time_claim))
+        EACH(BEGIN, K(-1.0), outcome, last)
+    }
+}
+
 /* Put the next shots into rows, from one on. */
 LANES_INLINE void LOOP(begin)(LOOP(worklist) *worklist, size_t row, size_t shots, const court_job *job, size_t start)
 {
@@ -333,25 +352,13 @@ LANES_INLINE void LOOP(begin)(LOOP(worklist) *worklist, size_t row, size_t shots
             LOOP(permitted)(worklist, row + k);
     for (k = 0; k < shots; k++)
         worklist->shot[row + k] = (double)(start + k);
-    for (k = 0; k < shots; k += LANES_WIDTH) {
-        EACH(BEGIN, K(0.0), clock)
-        BOUNDS(EACH(BEGIN, K(0.0), dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, clock_error))
-        EACH(BEGIN, K(-1.0), first)
-        EACH(BEGIN, K(0.0), contacts, count_0, count_1, count_2)
-        EACH(BEGIN, K(-1.0), held)
-        EACH(BEGIN, K(0.0), mode, circled, rolls, slip_left)
-        BOUNDS(EACH(BEGIN, K(0.0), assured))
-        BOUNDS(EACH(BEGIN, K(INFINITY), grip_lost, last_grip_deficit))
-        EACH(BEGIN, K(0.0), through)
-        BOUNDS(EACH(BEGIN, K(0.0), last_grip_deficit_rate, last_grip_clock, uncertain, position_claim))
-        BOUNDS(EACH(BEGIN, K(0.0), velocity_claim, spin_claim, time_claim))
-        EACH(BEGIN, K(-1.0), outcome, last)
-    }
+    LOOP(begin_fields)(worklist, row, shots);
     if (job->leaving)
         for (k = 0; k < shots; k++)
             worklist->last[row + k] = (double)job->leaving[start + k];
     LOOP(reset)(job, start, shots);
 }
+
 
 /* Write the results of the shots in rows that follow one another, none of them invalid. */
 LANES_INLINE void LOOP(finish_all)(const LOOP(worklist) *worklist, size_t shots, const court_job *job)
@@ -3413,7 +3420,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #endif
 
     const size_t varying = job->varying ? ~(size_t)0 : 0;
-    const int recording = job->results->events != NULL;
+    int recording = job->results->events != NULL;
     size_t begun = 0, end = 0, shots = 0;
     const int launching = !job->varying && !job->leaving && !recording;
     size_t paused = 0, pause = 0; /* no shot before this one is launched, after one that was refused */

@@ -1,6 +1,6 @@
 /* hoop: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene hoop, derivation f126937a0127ad50,
+   Generated from templates/c/scene.c.j2, scene hoop, derivation 394a5522f97c63e8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 
@@ -119,6 +119,9 @@ typedef struct {
 /* Shots that are launched at most before anybody may stop the run. */
 #define LANES_LAUNCHED (8 * LANES_SHOTS)
 #define LANES_ROWS LANES_SHOTS
+
+/* Shots whose bounds on errors may be tightened, at the most: then they are simulated again. */
+#define LANES_LOOSE (16 * LANES_SHOTS)
 
 /* Whether any result needs bounds on errors. */
 static int bounded(const hoop_job *job)

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation f126937a0127ad50,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 394a5522f97c63e8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -79,9 +79,14 @@ static M LANES(hoop_validate)(const LANES(column) *p, size_t row)
 #define BOUNDS(...)
 #define OR_ZERO(name) K(0.0)
 #define OR_INFINITE(name) K(INFINITY)
+#define TIGHTENING 0
+/* Whether no shots are begun until those in flight have ended. */
+#define HELD 0
 #define LOOP(name) LANES(hoop_plain_##name)
 #include "hoop_loop.h"
 #undef LOOP
+#undef TIGHTENING
+#undef HELD
 #undef BOUNDED
 #undef BOUNDS
 #undef OR_ZERO
@@ -93,9 +98,14 @@ static M LANES(hoop_validate)(const LANES(column) *p, size_t row)
 #define BOUNDS(...) __VA_ARGS__
 #define OR_ZERO(name) name
 #define OR_INFINITE(name) name
+#define TIGHTENING worklist->tightening
+/* Whether no shots are begun until those in flight have ended. */
+#define HELD (TIGHTENING || worklist->loose_shots + LANES_SHOTS > LANES_LOOSE)
 #define LOOP(name) LANES(hoop_bounded_##name)
 #include "hoop_loop.h"
 #undef LOOP
+#undef TIGHTENING
+#undef HELD
 #undef BOUNDED
 #undef BOUNDS
 #undef OR_ZERO

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation f126937a0127ad50,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 394a5522f97c63e8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -813,6 +813,18 @@ LANES(hoop_without_bounds)(M unbounded, V uncertain)
     return (LANES(hoop_without_bounds_out)){ lanes_select(unbounded, K(1.0), uncertain) };
 }
 
+/* How the bounds on errors are carried over a contact.
+   Table 1. 4 operations: 2 comparisons, 2 conjunctions. */
+typedef struct {
+    M carries, tightens;
+} LANES(hoop_tightens_out);
+
+LANES_INLINE LANES(hoop_tightens_out)
+LANES(hoop_tightens)(V tightening, M touches)
+{
+    return (LANES(hoop_tightens_out)){ lanes_both(touches, lanes_at_most(tightening, K(0.0))), lanes_both(touches, lanes_less(K(0.0), tightening)) };
+}
+
 /* 1 if the flight began on the surface that the ball meets.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
@@ -872,6 +884,18 @@ LANES(hoop_admitted)(V undecided_time, V valid, M permitted, M in_range)
 {
     const M _s0 = lanes_both(permitted, in_range);
     return (LANES(hoop_admitted_out)){ lanes_select(lanes_both(_s0, lanes_less(K(0.0), valid)), K(-1.0), K(4.0)), lanes_select(lanes_both(_s0, lanes_less(K(0.0), undecided_time)), K(1.0), K(0.0)) };
+}
+
+/* Whether a shot that has ended may be certain with tighter bounds: it is not capped.
+   Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 complement. */
+typedef struct {
+    M loose;
+} LANES(hoop_loose_out);
+
+LANES_INLINE LANES(hoop_loose_out)
+LANES(hoop_loose)(V contacts, V outcome, V uncertain)
+{
+    return (LANES(hoop_loose_out)){ lanes_both(lanes_both(lanes_less(K(0.0), uncertain), lanes_less(K(0.0), contacts)), lanes_not(lanes_equal(outcome, K(2.0)))) };
 }
 
 /* The time limit as an arrival.
@@ -990,6 +1014,355 @@ LANES(hoop_plane_start)(V undecided_time, V position_error, V velocity_error, V 
     return (LANES(hoop_plane_start_out)){ lanes_select(lanes_less(lanes_mul(position_error, _c0), lanes_mul(_s0, _s0)), K(0.0), undecided_time) };
 }
 
+/* The same, through the product of derivatives since an earlier contact.
+   derivative of the frame-free Eq. 17, with roundings. 1603 operations: 502 additions, 71 subtractions, 763 multiplications, 6 divisions, 43 negations, 128 absolute values, 16 comparisons, 74 selections. */
+typedef struct {
+    S place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay, origin_s, origin_e, origin_u, origin_v, origin_w, origin_t, recent_s, recent_e, recent_u, recent_v, recent_w, recent_t, product_11, product_12, product_13, product_14, product_15, product_16, product_21, product_22, product_23, product_24, product_25, product_26, product_31, product_32, product_33, product_34, product_35, product_36, product_41, product_42, product_43, product_44, product_45, product_46, product_51, product_52, product_53, product_54, product_55, product_56, product_61, product_62, product_63, product_64, product_65, product_66, continued;
+} LANES(hoop_tighten_impact_out);
+
+LANES_INLINE LANES(hoop_tighten_impact_out)
+LANES(hoop_tighten_impact)(S t, S x, S y, S z, S vx, S vy, S vz, S wx, S wy, S wz, S nx, S ny, S nz, S clock, S left_nx, S left_ny, S left_nz, S place_n, S place_s, S place_e, S pace_n, S pace_s, S pace_e, S turn_n, S turn_z, S position_bound, S velocity_bound, S spin_bound, S tangent_x, S tangent_y, S bend_s, S bend_e, S left_ex, S left_ey, S left_bend_s, S left_bend_e, S sharpest_bend, S root_offset, S root_level, S normal_rounding, S normal_velocity, S back, S origin_s, S origin_e, S origin_u, S origin_v, S origin_w, S origin_t, S product_11, S product_12, S product_13, S product_14, S product_15, S product_16, S product_21, S product_22, S product_23, S product_24, S product_25, S product_26, S product_31, S product_32, S product_33, S product_34, S product_35, S product_36, S product_41, S product_42, S product_43, S product_44, S product_45, S product_46, S product_51, S product_52, S product_53, S product_54, S product_55, S product_56, S product_61, S product_62, S product_63, S product_64, S product_65, S product_66, S recent_s, S recent_e, S recent_u, S recent_v, S recent_w, S recent_t, S continued, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
+{
+    const S _s0 = singles_neg(singles_mul(_c2, nz));
+    const S _s1 = singles_abs(vx);
+    const S _s2 = singles_mul(KS(2.0), t);
+    const S _s3 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s2, _s1), singles_abs(x))));
+    const S _s4 = singles_abs(vy);
+    const S _s5 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s2, _s4), singles_abs(y))));
+    const S _s6 = singles_add(singles_add(singles_mul(_c3, singles_mul(t, t)), singles_mul(_s2, singles_abs(singles_add(vz, singles_mul(_c3, t))))), singles_abs(z));
+    const S _s7 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s6));
+    const S _s8 = singles_add(singles_add(singles_add(position_bound, singles_mul(t, velocity_bound)), singles_add(singles_add(_s3, _s5), _s7)), singles_max(root_offset, root_level));
+    const S _s9 = singles_add(singles_add(singles_mul(nx, left_nx), singles_mul(ny, left_ny)), singles_mul(nz, left_nz));
+    const S _s10 = singles_sub(_s9, back);
+    const S _s11 = singles_mul(left_nz, left_ey);
+    const S _s12 = singles_neg(singles_mul(left_nz, left_ex));
+    const S _s13 = singles_mul(_c2, t);
+    const S _s14 = singles_add(vz, _s13);
+    const S _s15 = singles_sub(singles_mul(left_ny, left_ex), singles_mul(left_nx, left_ey));
+    const S _s16 = singles_add(singles_add(singles_mul(vx, _s11), singles_mul(vy, _s12)), singles_mul(_s14, _s15));
+    const S _s17 = singles_neg(singles_mul(left_bend_s, _s16));
+    const S _s18 = singles_mul(t, _s17);
+    const S _s19 = singles_add(singles_add(singles_mul(vx, left_nx), singles_mul(vy, left_ny)), singles_mul(left_nz, _s14));
+    const S _s20 = singles_mul(left_bend_s, _s19);
+    const S _s21 = singles_add(KS(1.0), singles_mul(t, _s20));
+    const S _s22 = singles_add(singles_add(singles_mul(nx, _s11), singles_mul(ny, _s12)), singles_mul(nz, _s15));
+    const S _s23 = singles_add(singles_mul(_s18, _s9), singles_mul(_s21, _s22));
+    const S _s24 = singles_add(singles_mul(vx, left_ex), singles_mul(vy, left_ey));
+    const S _s25 = singles_mul(left_nz, left_bend_e);
+    const S _s26 = singles_neg(singles_mul(_s25, _s24));
+    const S _s27 = singles_mul(t, _s26);
+    const S _s28 = singles_mul(singles_mul(left_bend_e, _s24), _s15);
+    const S _s29 = singles_mul(t, _s28);
+    const S _s30 = singles_mul(left_bend_e, singles_sub(singles_mul(left_nz, _s16), singles_mul(_s15, _s19)));
+    const S _s31 = singles_add(KS(1.0), singles_mul(t, _s30));
+    const S _s32 = singles_add(singles_mul(nx, left_ex), singles_mul(ny, left_ey));
+    const S _s33 = singles_add(singles_add(singles_mul(_s27, _s22), singles_mul(_s29, _s9)), singles_mul(_s31, _s32));
+    const S _s34 = singles_mul(t, _s9);
+    const S _s35 = singles_mul(t, _s22);
+    const S _s36 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s10)), singles_mul(place_s, singles_abs(_s23))), singles_mul(place_e, singles_abs(_s33))), singles_mul(pace_n, singles_abs(_s34))), singles_mul(pace_s, singles_abs(_s35)));
+    const S _s37 = singles_mul(t, _s32);
+    const S _s38 = singles_mul(_s13, singles_add(singles_mul(place_s, left_bend_s), singles_mul(place_e, left_bend_e)));
+    const S _s39 = singles_mul(KS(1.9073486328125e-06), singles_add(singles_mul(t, _s38), _s8));
+    const S _s40 = singles_add(singles_add(singles_add(root_offset, singles_mul(singles_mul(KS(1.02), singles_mul(sharpest_bend, _s8)), _s8)), singles_add(_s36, singles_mul(pace_e, singles_abs(_s37)))), _s39);
+    const S _s41 = singles_abs(normal_velocity);
+    const S _s42 = singles_div(singles_mul(KS(1.1), _s40), _s41);
+    const S _s43 = singles_abs(vz);
+    const S _s44 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_add(singles_add(_s13, _s1), _s4), _s43)));
+    const S _s45 = singles_add(velocity_bound, _s44);
+    const S _s46 = singles_add(singles_mul(_c2, _s42), _s45);
+    const S _s47 = singles_add(singles_add(_s1, _s4), _s43);
+    const S _s48 = singles_add(_s46, _s47);
+    const S _s49 = singles_add(singles_mul(_s42, _s48), _s8);
+    const S _s50 = singles_mul(KS(1.02), sharpest_bend);
+    const S _s51 = singles_mul(_s50, _s49);
+    const S _s52 = singles_sub(singles_mul(KS(12.0), singles_add(singles_add(singles_mul(singles_abs(_s0), _s42), singles_mul(_s51, _s48)), _s45)), _s41);
+    const S _s53 = singles_sub(singles_mul(KS(100.0), singles_mul(sharpest_bend, _s49)), KS(1.0));
+    const S _s54 = singles_max(_s52, _s53);
+    const S _s55 = singles_add(singles_mul(_c3, singles_mul(_s42, _s42)), singles_mul(_s42, _s45));
+    const S _s56 = singles_div(singles_add(singles_mul(_s51, _s49), _s55), _s41);
+    const S _s57 = singles_add(singles_mul(_s56, _s47), _s55);
+    const S _s58 = singles_add(singles_add(root_level, _s57), singles_add(singles_add(singles_mul(singles_abs(nx), _s3), singles_mul(singles_abs(ny), _s5)), singles_mul(singles_abs(nz), _s7)));
+    const S _s59 = singles_mul(bend_s, _s58);
+    const S _s60 = singles_sub(singles_mul(KS(4194304.0), singles_add(singles_mul(place_n, left_bend_s), _s59)), KS(1.0));
+    const S _s61 = singles_mul(KS(1.0009765625), _s58);
+    const Q _s62 = singles_at_most(singles_max(_s54, _s60), KS(0.0));
+    const S _s63 = singles_div(KS(1.0), normal_velocity);
+    const S _s64 = singles_neg(singles_mul(_s63, _s37));
+    const S _s65 = singles_mul(nz, tangent_y);
+    const S _s66 = singles_neg(singles_mul(nz, tangent_x));
+    const S _s67 = singles_sub(singles_mul(ny, tangent_x), singles_mul(nx, tangent_y));
+    const S _s68 = singles_add(singles_add(singles_mul(vx, _s65), singles_mul(vy, _s66)), singles_mul(vz, _s67));
+    const S _s69 = singles_add(singles_mul(left_ex, _s65), singles_mul(left_ey, _s66));
+    const S _s70 = singles_add(singles_mul(_s64, _s68), singles_mul(t, _s69));
+    const Q _s71 = singles_less(KS(0.0), continued);
+    const S _s72 = singles_select(_s71, product_51, KS(0.0));
+    const S _s73 = singles_neg(singles_mul(_s63, _s34));
+    const S _s74 = singles_add(singles_add(singles_mul(left_nx, _s65), singles_mul(left_ny, _s66)), singles_mul(left_nz, _s67));
+    const S _s75 = singles_add(singles_mul(_s73, _s68), singles_mul(t, _s74));
+    const S _s76 = singles_select(_s71, product_31, KS(0.0));
+    const S _s77 = singles_neg(singles_mul(_s63, _s35));
+    const S _s78 = singles_add(singles_add(singles_mul(_s66, _s12), singles_mul(_s65, _s11)), singles_mul(_s67, _s15));
+    const S _s79 = singles_add(singles_mul(_s77, _s68), singles_mul(t, _s78));
+    const S _s80 = singles_select(_s71, product_41, KS(0.0));
+    const S _s81 = singles_neg(singles_mul(_s63, _s23));
+    const S _s82 = singles_add(singles_mul(_s81, _s68), singles_add(singles_mul(_s18, _s74), singles_mul(_s21, _s78)));
+    const S _s83 = singles_select(_s71, product_11, KS(1.0));
+    const S _s84 = singles_neg(singles_mul(_s63, _s33));
+    const S _s85 = singles_add(singles_mul(_s84, _s68), singles_add(singles_add(singles_mul(_s27, _s78), singles_mul(_s29, _s74)), singles_mul(_s31, _s69)));
+    const S _s86 = singles_select(_s71, product_21, KS(0.0));
+    const S _s87 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s70, _s72), singles_mul(_s75, _s76)), singles_mul(_s79, _s80)), singles_mul(_s82, _s83)), singles_mul(_s85, _s86));
+    const S _s88 = singles_select(_s71, origin_s, place_s);
+    const S _s89 = singles_select(_s71, product_52, KS(0.0));
+    const S _s90 = singles_select(_s71, product_32, KS(0.0));
+    const S _s91 = singles_select(_s71, product_42, KS(0.0));
+    const S _s92 = singles_select(_s71, product_12, KS(0.0));
+    const S _s93 = singles_select(_s71, product_22, KS(1.0));
+    const S _s94 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s70, _s89), singles_mul(_s75, _s90)), singles_mul(_s79, _s91)), singles_mul(_s82, _s92)), singles_mul(_s85, _s93));
+    const S _s95 = singles_select(_s71, origin_e, place_e);
+    const S _s96 = singles_select(_s71, product_53, KS(0.0));
+    const S _s97 = singles_select(_s71, product_33, KS(1.0));
+    const S _s98 = singles_select(_s71, product_43, KS(0.0));
+    const S _s99 = singles_select(_s71, product_13, KS(0.0));
+    const S _s100 = singles_select(_s71, product_23, KS(0.0));
+    const S _s101 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s70, _s96), singles_mul(_s75, _s97)), singles_mul(_s79, _s98)), singles_mul(_s82, _s99)), singles_mul(_s85, _s100));
+    const S _s102 = singles_select(_s71, origin_u, pace_n);
+    const S _s103 = singles_select(_s71, product_54, KS(0.0));
+    const S _s104 = singles_select(_s71, product_34, KS(0.0));
+    const S _s105 = singles_select(_s71, product_44, KS(1.0));
+    const S _s106 = singles_select(_s71, product_14, KS(0.0));
+    const S _s107 = singles_select(_s71, product_24, KS(0.0));
+    const S _s108 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s70, _s103), singles_mul(_s75, _s104)), singles_mul(_s79, _s105)), singles_mul(_s82, _s106)), singles_mul(_s85, _s107));
+    const S _s109 = singles_select(_s71, origin_v, pace_s);
+    const S _s110 = singles_select(_s71, product_55, KS(1.0));
+    const S _s111 = singles_select(_s71, product_35, KS(0.0));
+    const S _s112 = singles_select(_s71, product_45, KS(0.0));
+    const S _s113 = singles_select(_s71, product_15, KS(0.0));
+    const S _s114 = singles_select(_s71, product_25, KS(0.0));
+    const S _s115 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s70, _s110), singles_mul(_s75, _s111)), singles_mul(_s79, _s112)), singles_mul(_s82, _s113)), singles_mul(_s85, _s114));
+    const S _s116 = singles_select(_s71, origin_w, pace_e);
+    const S _s117 = singles_add(singles_add(singles_add(singles_add(singles_mul(singles_abs(_s87), _s88), singles_mul(singles_abs(_s94), _s95)), singles_mul(singles_abs(_s101), _s102)), singles_mul(singles_abs(_s108), _s109)), singles_mul(singles_abs(_s115), _s116));
+    const S _s118 = singles_select(_s71, product_56, KS(0.0));
+    const S _s119 = singles_select(_s71, product_36, KS(0.0));
+    const S _s120 = singles_select(_s71, product_46, KS(0.0));
+    const S _s121 = singles_select(_s71, product_16, KS(0.0));
+    const S _s122 = singles_select(_s71, product_26, KS(0.0));
+    const S _s123 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s70, _s118), singles_mul(_s75, _s119)), singles_mul(_s79, _s120)), singles_mul(_s82, _s121)), singles_mul(_s85, _s122));
+    const S _s124 = singles_select(_s71, origin_t, turn_n);
+    const S _s125 = singles_add(_s117, singles_mul(singles_abs(_s123), _s124));
+    const S _s126 = singles_abs(_s68);
+    const S _s127 = singles_div(singles_add(root_offset, _s39), _s41);
+    const S _s128 = singles_add(singles_mul(_s126, _s127), singles_add(singles_add(singles_mul(singles_abs(_s66), _s5), singles_mul(singles_abs(_s65), _s3)), singles_mul(singles_abs(_s67), _s7)));
+    const S _s129 = singles_add(singles_add(_s57, singles_mul(KS(1.9073486328125e-06), _s49)), _s39);
+    const S _s130 = singles_neg(singles_mul(_s63, _s10));
+    const S _s131 = singles_add(singles_mul(_s130, _s68), _s74);
+    const S _s132 = singles_add(singles_mul(KS(9.5367431640625e-07), pace_e), singles_select(_s71, recent_w, KS(0.0)));
+    const S _s133 = singles_add(singles_mul(KS(9.5367431640625e-07), pace_n), singles_select(_s71, recent_u, KS(0.0)));
+    const S _s134 = singles_add(singles_mul(KS(9.5367431640625e-07), pace_s), singles_select(_s71, recent_v, KS(0.0)));
+    const S _s135 = singles_add(singles_mul(KS(9.5367431640625e-07), place_s), singles_select(_s71, recent_s, KS(0.0)));
+    const S _s136 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s131)), singles_mul(singles_abs(_s70), _s132)), singles_mul(singles_abs(_s75), _s133)), singles_mul(singles_abs(_s79), _s134)), singles_mul(singles_abs(_s82), _s135));
+    const S _s137 = singles_add(singles_mul(KS(9.5367431640625e-07), place_e), singles_select(_s71, recent_e, KS(0.0)));
+    const S _s138 = singles_mul(KS(1.0009765625), singles_add(singles_add(_s128, _s129), singles_add(_s136, singles_mul(singles_abs(_s85), _s137))));
+    const S _s139 = singles_mul(KS(1.0009765625), singles_add(_s125, _s138));
+    const S _s140 = singles_add(singles_mul(vx, tangent_x), singles_mul(vy, tangent_y));
+    const S _s141 = singles_add(singles_mul(tangent_x, left_ex), singles_mul(tangent_y, left_ey));
+    const S _s142 = singles_add(singles_mul(_s64, _s140), singles_mul(t, _s141));
+    const S _s143 = singles_add(singles_mul(left_nx, tangent_x), singles_mul(left_ny, tangent_y));
+    const S _s144 = singles_add(singles_mul(_s73, _s140), singles_mul(t, _s143));
+    const S _s145 = singles_add(singles_mul(tangent_x, _s11), singles_mul(tangent_y, _s12));
+    const S _s146 = singles_add(singles_mul(_s77, _s140), singles_mul(t, _s145));
+    const S _s147 = singles_add(singles_mul(_s81, _s140), singles_add(singles_mul(_s18, _s143), singles_mul(_s21, _s145)));
+    const S _s148 = singles_add(singles_mul(_s84, _s140), singles_add(singles_add(singles_mul(_s27, _s145), singles_mul(_s29, _s143)), singles_mul(_s31, _s141)));
+    const S _s149 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s142, _s72), singles_mul(_s144, _s76)), singles_mul(_s146, _s80)), singles_mul(_s147, _s83)), singles_mul(_s148, _s86));
+    const S _s150 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s142, _s89), singles_mul(_s144, _s90)), singles_mul(_s146, _s91)), singles_mul(_s147, _s92)), singles_mul(_s148, _s93));
+    const S _s151 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s142, _s96), singles_mul(_s144, _s97)), singles_mul(_s146, _s98)), singles_mul(_s147, _s99)), singles_mul(_s148, _s100));
+    const S _s152 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s142, _s103), singles_mul(_s144, _s104)), singles_mul(_s146, _s105)), singles_mul(_s147, _s106)), singles_mul(_s148, _s107));
+    const S _s153 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s142, _s110), singles_mul(_s144, _s111)), singles_mul(_s146, _s112)), singles_mul(_s147, _s113)), singles_mul(_s148, _s114));
+    const S _s154 = singles_add(singles_add(singles_add(singles_add(singles_mul(singles_abs(_s149), _s88), singles_mul(singles_abs(_s150), _s95)), singles_mul(singles_abs(_s151), _s102)), singles_mul(singles_abs(_s152), _s109)), singles_mul(singles_abs(_s153), _s116));
+    const S _s155 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s142, _s118), singles_mul(_s144, _s119)), singles_mul(_s146, _s120)), singles_mul(_s147, _s121)), singles_mul(_s148, _s122));
+    const S _s156 = singles_add(_s154, singles_mul(singles_abs(_s155), _s124));
+    const S _s157 = singles_abs(_s140);
+    const S _s158 = singles_add(singles_mul(_s157, _s127), singles_add(singles_add(singles_mul(_c4, _s7), singles_mul(singles_abs(tangent_x), _s3)), singles_mul(singles_abs(tangent_y), _s5)));
+    const S _s159 = singles_add(singles_mul(_s130, _s140), _s143);
+    const S _s160 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s159)), singles_mul(singles_abs(_s142), _s132)), singles_mul(singles_abs(_s144), _s133)), singles_mul(singles_abs(_s146), _s134)), singles_mul(singles_abs(_s147), _s135));
+    const S _s161 = singles_mul(KS(1.0009765625), singles_add(singles_add(_s158, _s129), singles_add(_s160, singles_mul(singles_abs(_s148), _s137))));
+    const S _s162 = singles_mul(KS(1.0009765625), singles_add(_s156, _s161));
+    const S _s163 = singles_neg(singles_mul(bend_s, _s68));
+    const S _s164 = singles_mul(bend_e, _s67);
+    const S _s165 = singles_mul(_s164, _s140);
+    const S _s166 = singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s0, _s64), _s32), singles_mul(_s163, _s70)), singles_mul(_s165, _s142))));
+    const S _s167 = singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s0, _s73), _s9), singles_mul(_s163, _s75)), singles_mul(_s165, _s144))));
+    const S _s168 = singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s0, _s77), _s22), singles_mul(_s163, _s79)), singles_mul(_s165, _s146))));
+    const S _s169 = singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s0, _s81), singles_add(singles_mul(_s20, _s22), singles_mul(_s17, _s9))), singles_mul(_s163, _s82)), singles_mul(_s165, _s147)));
+    const S _s170 = singles_neg(_s169);
+    const S _s171 = singles_sub(singles_sub(singles_add(singles_mul(_s0, _s84), singles_add(singles_add(singles_mul(_s30, _s32), singles_mul(_s26, _s22)), singles_mul(_s28, _s9))), singles_mul(_s163, _s85)), singles_mul(_s165, _s148));
+    const S _s172 = singles_neg(singles_mul(_c1, _s171));
+    const S _s173 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s166, _s72), singles_mul(_s167, _s76)), singles_mul(_s168, _s80)), singles_mul(_s170, _s83)), singles_mul(_s172, _s86));
+    const S _s174 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s166, _s89), singles_mul(_s167, _s90)), singles_mul(_s168, _s91)), singles_mul(_s170, _s92)), singles_mul(_s172, _s93));
+    const S _s175 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s166, _s96), singles_mul(_s167, _s97)), singles_mul(_s168, _s98)), singles_mul(_s170, _s99)), singles_mul(_s172, _s100));
+    const S _s176 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s166, _s103), singles_mul(_s167, _s104)), singles_mul(_s168, _s105)), singles_mul(_s170, _s106)), singles_mul(_s172, _s107));
+    const S _s177 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s166, _s110), singles_mul(_s167, _s111)), singles_mul(_s168, _s112)), singles_mul(_s170, _s113)), singles_mul(_s172, _s114));
+    const S _s178 = singles_add(singles_add(singles_add(singles_add(singles_mul(singles_abs(_s173), _s88), singles_mul(singles_abs(_s174), _s95)), singles_mul(singles_abs(_s175), _s102)), singles_mul(singles_abs(_s176), _s109)), singles_mul(singles_abs(_s177), _s116));
+    const S _s179 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s166, _s118), singles_mul(_s167, _s119)), singles_mul(_s168, _s120)), singles_mul(_s170, _s121)), singles_mul(_s172, _s122));
+    const S _s180 = singles_add(_s178, singles_mul(singles_abs(_s179), _s124));
+    const S _s181 = singles_add(singles_mul(_c2, _s127), _s44);
+    const S _s182 = singles_add(_s181, singles_add(singles_mul(singles_abs(_s163), _s128), singles_mul(singles_abs(_s165), _s158)));
+    const S _s183 = singles_add(normal_rounding, _s59);
+    const S _s184 = singles_add(singles_add(singles_abs(wx), singles_abs(wy)), singles_abs(wz));
+    const S _s185 = singles_mul(singles_mul(_c6, _s183), _s184);
+    const S _s186 = singles_mul(_c0, _s184);
+    const S _s187 = singles_add(_s186, _s47);
+    const S _s188 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.5543122344752192e-15), _s187));
+    const S _s189 = singles_mul(_c2, _s56);
+    const S _s190 = singles_mul(singles_add(bend_s, bend_e), _s129);
+    const S _s191 = singles_mul(_s51, _s51);
+    const S _s192 = singles_add(singles_mul(_s50, _s57), singles_mul(KS(2.0), _s191));
+    const S _s193 = singles_add(singles_add(singles_add(_s189, singles_mul(_s51, singles_add(singles_mul(spin_bound, _c6), singles_mul(_c7, _s46)))), singles_mul(_s190, _s187)), singles_mul(_s192, singles_add(singles_mul(_c6, _s184), singles_mul(_c7, _s47))));
+    const S _s194 = singles_mul(KS(1.9073486328125e-06), singles_add(singles_add(singles_mul(_c0, spin_bound), singles_mul(_s51, singles_add(_s186, singles_mul(KS(4.0), _s47)))), singles_mul(KS(2.0), singles_add(_s38, _s46))));
+    const S _s195 = singles_add(singles_add(_s193, singles_mul(singles_mul(_s191, _c5), _s48)), _s194);
+    const S _s196 = singles_add(singles_add(singles_mul(_c1, _s182), singles_mul(_c5, singles_add(singles_mul(normal_rounding, singles_add(_s47, _s41)), singles_mul(singles_mul(KS(2.0), _s59), _s41)))), singles_add(singles_add(_s185, _s188), _s195));
+    const S _s197 = singles_abs(singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_mul(_s0, _s130), singles_mul(_s163, _s131)), singles_mul(_s165, _s159)))));
+    const S _s198 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, _s197), singles_mul(singles_abs(_s166), _s132)), singles_mul(singles_abs(_s167), _s133)), singles_mul(singles_abs(_s168), _s134)), singles_mul(singles_abs(_s170), _s135));
+    const S _s199 = singles_mul(KS(1.0009765625), singles_add(_s196, singles_add(_s198, singles_mul(singles_abs(_s172), _s137))));
+    const S _s200 = singles_mul(KS(1.0009765625), singles_add(_s180, _s199));
+    const S _s201 = singles_mul(_c6, _s143);
+    const S _s202 = singles_select(_s71, product_61, KS(0.0));
+    const S _s203 = singles_add(singles_add(singles_mul(wx, _s65), singles_mul(wy, _s66)), singles_mul(wz, _s67));
+    const S _s204 = singles_add(singles_add(singles_mul(nx, wx), singles_mul(ny, wy)), singles_mul(nz, wz));
+    const S _s205 = singles_mul(_s67, _s204);
+    const S _s206 = singles_mul(bend_e, singles_sub(singles_mul(nz, _s203), _s205));
+    const S _s207 = singles_neg(singles_mul(_c2, _s67));
+    const S _s208 = singles_mul(bend_s, normal_velocity);
+    const S _s209 = singles_mul(nz, bend_e);
+    const S _s210 = singles_neg(singles_mul(_s209, _s140));
+    const S _s211 = singles_add(singles_mul(_c6, singles_neg(singles_mul(_s206, _s144))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s207, _s73), _s74), singles_mul(_s208, _s75)), singles_mul(_s210, _s144))));
+    const S _s212 = singles_add(singles_mul(_c6, singles_sub(singles_neg(singles_mul(_c8, _s145)), singles_mul(_s206, _s142))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s207, _s64), _s69), singles_mul(_s208, _s70)), singles_mul(_s210, _s142))));
+    const S _s213 = singles_add(singles_mul(_c6, singles_sub(singles_mul(_c8, _s141), singles_mul(_s206, _s146))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s207, _s77), _s78), singles_mul(_s208, _s79)), singles_mul(_s210, _s146))));
+    const S _s214 = singles_add(singles_add(singles_mul(wx, left_nx), singles_mul(wy, left_ny)), singles_mul(wz, left_nz));
+    const S _s215 = singles_mul(left_bend_s, _s214);
+    const S _s216 = singles_add(singles_add(singles_mul(wx, _s11), singles_mul(wy, _s12)), singles_mul(wz, _s15));
+    const S _s217 = singles_neg(singles_mul(left_bend_s, _s216));
+    const S _s218 = singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s207, _s81), singles_add(singles_mul(_s20, _s78), singles_mul(_s17, _s74))), singles_mul(_s208, _s82)), singles_mul(_s210, _s147)));
+    const S _s219 = singles_add(singles_mul(_c6, singles_sub(singles_add(singles_mul(_s215, _s145), singles_mul(_s217, _s143)), singles_mul(_s206, _s147))), _s218);
+    const S _s220 = singles_mul(left_bend_e, singles_sub(singles_mul(left_nz, _s216), singles_mul(_s15, _s214)));
+    const S _s221 = singles_add(singles_mul(wx, left_ex), singles_mul(wy, left_ey));
+    const S _s222 = singles_neg(singles_mul(_s25, _s221));
+    const S _s223 = singles_mul(singles_mul(left_bend_e, _s221), _s15);
+    const S _s224 = singles_sub(singles_sub(singles_add(singles_mul(_s207, _s84), singles_add(singles_add(singles_mul(_s30, _s69), singles_mul(_s26, _s78)), singles_mul(_s28, _s74))), singles_mul(_s208, _s85)), singles_mul(_s210, _s148));
+    const S _s225 = singles_add(singles_mul(_c6, singles_sub(singles_add(singles_add(singles_mul(_s220, _s141), singles_mul(_s222, _s145)), singles_mul(_s223, _s143)), singles_mul(_s206, _s148))), singles_mul(KS(0.6), _s224));
+    const S _s226 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s201, _s202), singles_mul(_s211, _s76)), singles_mul(_s212, _s72)), singles_mul(_s213, _s80)), singles_mul(_s219, _s83)), singles_mul(_s225, _s86));
+    const S _s227 = singles_select(_s71, product_62, KS(0.0));
+    const S _s228 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s201, _s227), singles_mul(_s211, _s90)), singles_mul(_s212, _s89)), singles_mul(_s213, _s91)), singles_mul(_s219, _s92)), singles_mul(_s225, _s93));
+    const S _s229 = singles_select(_s71, product_63, KS(0.0));
+    const S _s230 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s201, _s229), singles_mul(_s211, _s97)), singles_mul(_s212, _s96)), singles_mul(_s213, _s98)), singles_mul(_s219, _s99)), singles_mul(_s225, _s100));
+    const S _s231 = singles_select(_s71, product_64, KS(0.0));
+    const S _s232 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s201, _s231), singles_mul(_s211, _s104)), singles_mul(_s212, _s103)), singles_mul(_s213, _s105)), singles_mul(_s219, _s106)), singles_mul(_s225, _s107));
+    const S _s233 = singles_select(_s71, product_65, KS(0.0));
+    const S _s234 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s201, _s233), singles_mul(_s211, _s111)), singles_mul(_s212, _s110)), singles_mul(_s213, _s112)), singles_mul(_s219, _s113)), singles_mul(_s225, _s114));
+    const S _s235 = singles_add(singles_add(singles_add(singles_add(singles_mul(singles_abs(_s226), _s88), singles_mul(singles_abs(_s228), _s95)), singles_mul(singles_abs(_s230), _s102)), singles_mul(singles_abs(_s232), _s109)), singles_mul(singles_abs(_s234), _s116));
+    const S _s236 = singles_select(_s71, product_66, KS(1.0));
+    const S _s237 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s201, _s236), singles_mul(_s211, _s119)), singles_mul(_s212, _s118)), singles_mul(_s213, _s120)), singles_mul(_s219, _s121)), singles_mul(_s225, _s122));
+    const S _s238 = singles_add(_s235, singles_mul(singles_abs(_s237), _s124));
+    const S _s239 = singles_mul(_c4, _s128);
+    const S _s240 = singles_add(_s239, singles_mul(singles_abs(_s206), _s158));
+    const S _s241 = singles_add(_s181, singles_add(singles_mul(singles_abs(_s208), _s128), singles_mul(singles_abs(_s210), _s158)));
+    const S _s242 = singles_add(singles_add(singles_add(singles_mul(singles_mul(normal_rounding, _c5), _s41), _s185), _s188), _s195);
+    const S _s243 = singles_abs(singles_add(singles_mul(_c6, singles_neg(singles_mul(_s206, _s159))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_mul(_s207, _s130), singles_mul(_s208, _s131)), singles_mul(_s210, _s159)))));
+    const S _s244 = singles_add(singles_mul(KS(9.5367431640625e-07), turn_n), singles_select(_s71, recent_t, KS(0.0)));
+    const S _s245 = singles_add(singles_add(singles_add(singles_mul(place_n, _s243), singles_mul(turn_z, singles_abs(singles_mul(_c6, _s141)))), singles_mul(turn_z, singles_abs(singles_mul(_c6, _s145)))), singles_mul(singles_abs(_s201), _s244));
+    const S _s246 = singles_add(singles_add(singles_add(singles_add(_s245, singles_mul(singles_abs(_s211), _s133)), singles_mul(singles_abs(_s212), _s132)), singles_mul(singles_abs(_s213), _s134)), singles_mul(singles_abs(_s219), _s135));
+    const S _s247 = singles_mul(KS(1.0009765625), singles_add(singles_add(singles_add(singles_mul(_c6, _s240), singles_mul(KS(0.6), _s241)), _s242), singles_add(_s246, singles_mul(singles_abs(_s225), _s137))));
+    const S _s248 = singles_mul(KS(1.0009765625), singles_add(_s238, _s247));
+    const S _s249 = singles_neg(singles_mul(_c6, _s74));
+    const S _s250 = singles_mul(bend_e, singles_sub(singles_mul(nz, _s68), singles_mul(normal_velocity, _s67)));
+    const S _s251 = singles_mul(bend_s, _s204);
+    const S _s252 = singles_add(singles_mul(wx, tangent_x), singles_mul(wy, tangent_y));
+    const S _s253 = singles_neg(singles_mul(_s209, _s252));
+    const S _s254 = singles_sub(singles_mul(KS(0.6), singles_sub(_s143, singles_mul(_s250, _s144))), singles_mul(_c6, singles_neg(singles_add(singles_mul(_s251, _s75), singles_mul(_s253, _s144)))));
+    const S _s255 = singles_sub(singles_mul(KS(0.6), singles_sub(_s141, singles_mul(_s250, _s142))), singles_mul(_c6, singles_sub(singles_sub(singles_neg(singles_mul(_c8, _s78)), singles_mul(_s251, _s70)), singles_mul(_s253, _s142))));
+    const S _s256 = singles_sub(singles_mul(KS(0.6), singles_sub(_s145, singles_mul(_s250, _s146))), singles_mul(_c6, singles_sub(singles_sub(singles_mul(_c8, _s69), singles_mul(_s251, _s79)), singles_mul(_s253, _s146))));
+    const S _s257 = singles_sub(singles_mul(KS(0.6), singles_sub(singles_add(singles_mul(_s20, _s145), singles_mul(_s17, _s143)), singles_mul(_s250, _s147))), singles_mul(_c6, singles_sub(singles_sub(singles_add(singles_mul(_s215, _s78), singles_mul(_s217, _s74)), singles_mul(_s251, _s82)), singles_mul(_s253, _s147))));
+    const S _s258 = singles_mul(_c6, singles_sub(singles_sub(singles_add(singles_add(singles_mul(_s220, _s69), singles_mul(_s222, _s78)), singles_mul(_s223, _s74)), singles_mul(_s251, _s85)), singles_mul(_s253, _s148)));
+    const S _s259 = singles_sub(singles_mul(KS(0.6), singles_sub(singles_add(singles_add(singles_mul(_s30, _s141), singles_mul(_s26, _s145)), singles_mul(_s28, _s143)), singles_mul(_s250, _s148))), _s258);
+    const S _s260 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s249, _s202), singles_mul(_s254, _s76)), singles_mul(_s255, _s72)), singles_mul(_s256, _s80)), singles_mul(_s257, _s83)), singles_mul(_s259, _s86));
+    const S _s261 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s249, _s227), singles_mul(_s254, _s90)), singles_mul(_s255, _s89)), singles_mul(_s256, _s91)), singles_mul(_s257, _s92)), singles_mul(_s259, _s93));
+    const S _s262 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s249, _s229), singles_mul(_s254, _s97)), singles_mul(_s255, _s96)), singles_mul(_s256, _s98)), singles_mul(_s257, _s99)), singles_mul(_s259, _s100));
+    const S _s263 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s249, _s231), singles_mul(_s254, _s104)), singles_mul(_s255, _s103)), singles_mul(_s256, _s105)), singles_mul(_s257, _s106)), singles_mul(_s259, _s107));
+    const S _s264 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s249, _s233), singles_mul(_s254, _s111)), singles_mul(_s255, _s110)), singles_mul(_s256, _s112)), singles_mul(_s257, _s113)), singles_mul(_s259, _s114));
+    const S _s265 = singles_add(singles_add(singles_add(singles_add(singles_mul(singles_abs(_s260), _s88), singles_mul(singles_abs(_s261), _s95)), singles_mul(singles_abs(_s262), _s102)), singles_mul(singles_abs(_s263), _s109)), singles_mul(singles_abs(_s264), _s116));
+    const S _s266 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s249, _s236), singles_mul(_s254, _s119)), singles_mul(_s255, _s118)), singles_mul(_s256, _s120)), singles_mul(_s257, _s121)), singles_mul(_s259, _s122));
+    const S _s267 = singles_add(_s265, singles_mul(singles_abs(_s266), _s124));
+    const S _s268 = singles_abs(_s251);
+    const S _s269 = singles_add(singles_mul(_s268, _s128), singles_mul(singles_abs(_s253), _s158));
+    const S _s270 = singles_add(_s181, singles_add(_s239, singles_mul(singles_abs(_s250), _s158)));
+    const S _s271 = singles_abs(singles_sub(singles_mul(KS(0.6), singles_neg(singles_mul(_s250, _s159))), singles_mul(_c6, singles_neg(singles_add(singles_mul(_s251, _s131), singles_mul(_s253, _s159))))));
+    const S _s272 = singles_add(singles_add(singles_mul(place_n, _s271), singles_mul(turn_z, singles_abs(singles_neg(singles_mul(_c6, _s69))))), singles_mul(turn_z, singles_abs(singles_neg(singles_mul(_c6, _s78)))));
+    const S _s273 = singles_add(singles_add(singles_add(singles_add(_s272, singles_mul(singles_abs(_s249), _s244)), singles_mul(singles_abs(_s254), _s133)), singles_mul(singles_abs(_s255), _s132)), singles_mul(singles_abs(_s256), _s134));
+    const S _s274 = singles_mul(KS(1.0009765625), singles_add(singles_add(singles_add(singles_mul(_c6, _s269), singles_mul(KS(0.6), _s270)), _s242), singles_add(singles_add(_s273, singles_mul(singles_abs(_s257), _s135)), singles_mul(singles_abs(_s259), _s137))));
+    const S _s275 = singles_mul(KS(1.0009765625), singles_add(_s267, _s274));
+    const S _s276 = singles_neg(singles_mul(bend_s, _s203));
+    const S _s277 = singles_mul(_s164, _s252);
+    const S _s278 = singles_neg(singles_add(singles_mul(_s276, _s75), singles_mul(_s277, _s144)));
+    const S _s279 = singles_sub(singles_sub(singles_neg(singles_mul(_c8, _s22)), singles_mul(_s276, _s70)), singles_mul(_s277, _s142));
+    const S _s280 = singles_sub(singles_sub(singles_mul(_c8, _s32), singles_mul(_s276, _s79)), singles_mul(_s277, _s146));
+    const S _s281 = singles_sub(singles_sub(singles_add(singles_mul(_s215, _s22), singles_mul(_s217, _s9)), singles_mul(_s276, _s82)), singles_mul(_s277, _s147));
+    const S _s282 = singles_sub(singles_sub(singles_add(singles_add(singles_mul(_s220, _s32), singles_mul(_s222, _s22)), singles_mul(_s223, _s9)), singles_mul(_s276, _s85)), singles_mul(_s277, _s148));
+    const S _s283 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s278, _s76), singles_mul(_s9, _s202)), singles_mul(_s279, _s72)), singles_mul(_s280, _s80)), singles_mul(_s281, _s83)), singles_mul(_s282, _s86));
+    const S _s284 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s278, _s90), singles_mul(_s9, _s227)), singles_mul(_s279, _s89)), singles_mul(_s280, _s91)), singles_mul(_s281, _s92)), singles_mul(_s282, _s93));
+    const S _s285 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s278, _s97), singles_mul(_s9, _s229)), singles_mul(_s279, _s96)), singles_mul(_s280, _s98)), singles_mul(_s281, _s99)), singles_mul(_s282, _s100));
+    const S _s286 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s278, _s104), singles_mul(_s9, _s231)), singles_mul(_s279, _s103)), singles_mul(_s280, _s105)), singles_mul(_s281, _s106)), singles_mul(_s282, _s107));
+    const S _s287 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s278, _s111), singles_mul(_s9, _s233)), singles_mul(_s279, _s110)), singles_mul(_s280, _s112)), singles_mul(_s281, _s113)), singles_mul(_s282, _s114));
+    const S _s288 = singles_add(singles_add(singles_add(singles_add(singles_mul(singles_abs(_s283), _s88), singles_mul(singles_abs(_s284), _s95)), singles_mul(singles_abs(_s285), _s102)), singles_mul(singles_abs(_s286), _s109)), singles_mul(singles_abs(_s287), _s116));
+    const S _s289 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(_s278, _s119), singles_mul(_s9, _s236)), singles_mul(_s279, _s118)), singles_mul(_s280, _s120)), singles_mul(_s281, _s121)), singles_mul(_s282, _s122));
+    const S _s290 = singles_add(_s288, singles_mul(singles_abs(_s289), _s124));
+    const S _s291 = singles_add(singles_mul(singles_abs(_s276), _s128), singles_mul(singles_abs(_s277), _s158));
+    const S _s292 = singles_add(singles_mul(_c8, _s47), _s184);
+    const S _s293 = singles_add(singles_add(singles_add(singles_mul(_c8, singles_add(_s189, _s194)), singles_mul(_s51, singles_add(singles_mul(KS(2.0), spin_bound), singles_mul(_c9, _s46)))), singles_mul(_s191, singles_add(spin_bound, _s184))), singles_mul(_s190, _s292));
+    const S _s294 = singles_add(singles_add(_s293, singles_mul(_s192, singles_add(singles_mul(_c9, _s47), singles_mul(KS(2.0), _s184)))), singles_mul(KS(1.9073486328125e-06), singles_add(spin_bound, singles_mul(_s51, _s184))));
+    const S _s295 = singles_add(singles_add(singles_add(singles_add(singles_mul(_c8, _s188), singles_mul(KS(2.0), singles_mul(_s183, _s184))), singles_mul(KS(0.6), singles_mul(singles_mul(normal_rounding, _c8), _s47))), _s291), _s294);
+    const S _s296 = singles_add(singles_mul(place_n, singles_abs(singles_neg(singles_add(singles_mul(_s276, _s131), singles_mul(_s277, _s159))))), singles_mul(turn_z, singles_abs(_s32)));
+    const S _s297 = singles_add(singles_add(singles_add(singles_add(_s296, singles_mul(turn_z, singles_abs(_s22))), singles_mul(singles_abs(_s278), _s133)), singles_mul(singles_abs(_s9), _s244)), singles_mul(singles_abs(_s279), _s132));
+    const S _s298 = singles_add(_s295, singles_add(singles_add(singles_add(_s297, singles_mul(singles_abs(_s280), _s134)), singles_mul(singles_abs(_s281), _s135)), singles_mul(singles_abs(_s282), _s137)));
+    const S _s299 = singles_mul(KS(1.0009765625), _s298);
+    const S _s300 = singles_mul(KS(1.0009765625), singles_add(_s290, _s299));
+    const S _s301 = singles_add(singles_mul(_c8, singles_add(_s188, _s242)), singles_mul(KS(2.0), singles_mul(_s183, singles_add(singles_mul(_c9, singles_add(_s157, _s126)), _s184))));
+    const S _s302 = singles_max(_s182, _s241);
+    const S _s303 = singles_max(_s291, _s269);
+    const S _s304 = singles_mul(KS(1.0009765625), singles_add(singles_add(_s301, singles_add(singles_mul(_c8, singles_max(_s302, _s270)), singles_max(_s303, _s240))), _s294));
+    const S _s305 = singles_max(_s61, _s139);
+    const S _s306 = singles_max(_s305, _s162);
+    const S _s307 = singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_sub(singles_add(singles_add(_s162, _s139), _s61), _s306)), _s306));
+    const S _s308 = singles_mul(_c4, _s139);
+    const S _s309 = singles_add(singles_mul(_c6, _s252), singles_mul(KS(0.6), _s68));
+    const S _s310 = singles_neg(singles_mul(_c1, normal_velocity));
+    const S _s311 = singles_add(_s308, singles_mul(singles_abs(singles_mul(bend_e, singles_sub(singles_mul(nz, _s309), singles_mul(_s310, _s67)))), _s162));
+    const S _s312 = singles_mul(KS(1.9073486328125e-06), singles_add(singles_mul(bend_s, _s139), singles_mul(bend_e, _s162)));
+    const S _s313 = singles_mul(_s187, _s312);
+    const S _s314 = singles_add(singles_add(_s311, _s313), _s275);
+    const S _s315 = singles_sub(singles_mul(KS(0.6), _s140), singles_mul(_c6, _s203));
+    const S _s316 = singles_add(singles_add(singles_mul(singles_abs(singles_mul(bend_s, _s310)), _s139), singles_mul(singles_abs(singles_neg(singles_mul(_s209, _s315))), _s162)), _s313);
+    const S _s317 = singles_add(_s316, _s248);
+    const S _s318 = singles_add(singles_add(singles_mul(singles_abs(singles_neg(singles_mul(bend_s, _s309))), _s139), singles_mul(singles_abs(singles_mul(_s164, _s315)), _s162)), _s313);
+    const S _s319 = singles_add(_s318, _s200);
+    const S _s320 = singles_max(_s319, _s317);
+    const S _s321 = singles_max(_s320, _s314);
+    const S _s322 = singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_sub(singles_add(singles_add(_s314, _s317), _s319), _s321)), _s321));
+    const S _s323 = singles_neg(singles_mul(_c8, _s315));
+    const S _s324 = singles_mul(_c8, _s309);
+    const S _s325 = singles_mul(_s292, _s312);
+    const S _s326 = singles_add(singles_add(singles_mul(singles_abs(singles_neg(singles_mul(bend_s, _s323))), _s139), singles_mul(singles_abs(singles_mul(singles_mul(bend_e, _s324), _s67)), _s162)), _s325);
+    const S _s327 = singles_add(_s326, _s300);
+    const S _s328 = singles_add(singles_add(singles_div(_s248, _c0), _s308), singles_mul(singles_abs(singles_mul(bend_e, singles_sub(singles_mul(nz, _s323), _s205))), _s162));
+    const S _s329 = singles_add(singles_add(_s328, _s325), _s304);
+    const S _s330 = singles_add(singles_add(singles_add(singles_div(_s275, _c0), singles_mul(_s268, _s139)), singles_mul(singles_abs(singles_neg(singles_mul(_s209, _s324))), _s162)), _s325);
+    const S _s331 = singles_add(_s330, _s304);
+    const S _s332 = singles_max(_s327, _s331);
+    const S _s333 = singles_max(_s332, _s329);
+    const S _s334 = singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_sub(singles_add(singles_add(_s327, _s329), _s331), _s333)), _s333));
+    const S _s335 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(KS(0.125), _s180), _s156), _s125), singles_mul(KS(0.125), _s238)), singles_mul(KS(0.125), _s267)), singles_mul(KS(0.015625), _s290));
+    const Q _s336 = singles_at_most(singles_add(singles_add(singles_add(singles_add(singles_add(_s161, _s138), singles_mul(KS(0.125), _s199)), singles_mul(KS(0.125), _s247)), singles_mul(KS(0.125), _s274)), singles_mul(KS(0.015625), _s299)), singles_mul(KS(0.25), _s335));
+    return (LANES(hoop_tighten_impact_out)){ singles_select(_s62, _s61, KS(INFINITY)), singles_select(_s62, _s139, KS(INFINITY)), singles_select(_s62, _s162, KS(INFINITY)), singles_select(_s62, _s200, KS(INFINITY)), singles_select(_s62, _s248, KS(INFINITY)), singles_select(_s62, _s275, KS(INFINITY)), singles_select(_s62, _s300, KS(INFINITY)), singles_select(_s62, _s304, KS(INFINITY)), singles_select(_s62, _s307, KS(INFINITY)), singles_select(_s62, _s322, KS(INFINITY)), singles_select(_s62, _s334, KS(INFINITY)), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_select(_s62, singles_mul(KS(1.0009765625), _s42), KS(INFINITY))), _s88, _s95, _s102, _s109, _s116, _s124, _s138, _s161, _s199, _s247, _s274, _s299, _s87, _s94, _s101, _s108, _s115, _s123, _s149, _s150, _s151, _s152, _s153, _s155, _s173, _s174, _s175, _s176, _s177, _s179, _s226, _s228, _s230, _s232, _s234, _s237, _s260, _s261, _s262, _s263, _s264, _s266, _s283, _s284, _s285, _s286, _s287, _s289, singles_select(_s336, KS(1.0), KS(0.0)) };
+}
+
 /* Velocity and spin after a contact, frame-free.
    Eqs. 11-17, the frame eliminated. 61 operations: 10 additions, 12 subtractions, 39 multiplications. */
 typedef struct {
@@ -1008,7 +1381,7 @@ LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V _c0, 
 }
 
 /* Bounds on errors after a contact, from those at the departure before it.
-   derivative of the frame-free Eq. 17, with roundings. 957 operations: 266 additions, 65 subtractions, 474 multiplications, 5 divisions, 37 negations, 83 absolute values, 8 comparisons, 19 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 1047 operations: 288 additions, 71 subtractions, 508 multiplications, 6 divisions, 43 negations, 92 absolute values, 14 comparisons, 25 selections. */
 typedef struct {
     S place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay;
 } LANES(hoop_carry_impact_out);
@@ -1077,8 +1450,8 @@ LANES(hoop_carry_impact)(S t, S x, S y, S z, S vx, S vy, S vz, S wx, S wy, S wz,
     const S _s58 = singles_add(singles_add(root_level, _s57), singles_add(singles_add(singles_mul(singles_abs(nx), _s3), singles_mul(singles_abs(ny), _s5)), singles_mul(singles_abs(nz), _s7)));
     const S _s59 = singles_mul(bend_s, _s58);
     const S _s60 = singles_sub(singles_mul(KS(4194304.0), singles_add(singles_mul(place_n, left_bend_s), _s59)), KS(1.0));
-    const Q _s61 = singles_at_most(singles_max(_s54, _s60), KS(0.0));
-    const S _s62 = singles_select(_s61, singles_mul(KS(1.0009765625), _s58), KS(INFINITY));
+    const S _s61 = singles_mul(KS(1.0009765625), _s58);
+    const Q _s62 = singles_at_most(singles_max(_s54, _s60), KS(0.0));
     const S _s63 = singles_mul(nz, tangent_y);
     const S _s64 = singles_neg(singles_mul(nz, tangent_x));
     const S _s65 = singles_sub(singles_mul(ny, tangent_x), singles_mul(nx, tangent_y));
@@ -1104,7 +1477,7 @@ LANES(hoop_carry_impact)(S t, S x, S y, S z, S vx, S vy, S vz, S wx, S wy, S wz,
     const S _s85 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s74)), singles_mul(place_s, singles_abs(_s77))), singles_mul(place_e, singles_abs(_s80))), singles_mul(pace_n, singles_abs(_s82))), singles_mul(pace_s, singles_abs(_s84)));
     const S _s86 = singles_neg(singles_mul(_s71, _s37));
     const S _s87 = singles_add(singles_mul(_s86, _s66), singles_mul(t, _s79));
-    const S _s88 = singles_select(_s61, singles_mul(KS(1.0009765625), singles_add(singles_add(_s69, _s70), singles_add(_s85, singles_mul(pace_e, singles_abs(_s87))))), KS(INFINITY));
+    const S _s88 = singles_mul(KS(1.0009765625), singles_add(singles_add(_s69, _s70), singles_add(_s85, singles_mul(pace_e, singles_abs(_s87)))));
     const S _s89 = singles_add(singles_mul(vx, tangent_x), singles_mul(vy, tangent_y));
     const S _s90 = singles_abs(_s89);
     const S _s91 = singles_add(singles_mul(_s90, _s68), singles_add(singles_add(singles_mul(_c4, _s7), singles_mul(singles_abs(tangent_x), _s3)), singles_mul(singles_abs(tangent_y), _s5)));
@@ -1118,7 +1491,7 @@ LANES(hoop_carry_impact)(S t, S x, S y, S z, S vx, S vy, S vz, S wx, S wy, S wz,
     const S _s99 = singles_add(singles_mul(_s83, _s89), singles_mul(t, _s94));
     const S _s100 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s93)), singles_mul(place_s, singles_abs(_s95))), singles_mul(place_e, singles_abs(_s97))), singles_mul(pace_n, singles_abs(_s98))), singles_mul(pace_s, singles_abs(_s99)));
     const S _s101 = singles_add(singles_mul(_s86, _s89), singles_mul(t, _s96));
-    const S _s102 = singles_select(_s61, singles_mul(KS(1.0009765625), singles_add(singles_add(_s91, _s70), singles_add(_s100, singles_mul(pace_e, singles_abs(_s101))))), KS(INFINITY));
+    const S _s102 = singles_mul(KS(1.0009765625), singles_add(singles_add(_s91, _s70), singles_add(_s100, singles_mul(pace_e, singles_abs(_s101)))));
     const S _s103 = singles_add(singles_mul(_c2, _s68), _s44);
     const S _s104 = singles_neg(singles_mul(bend_s, _s66));
     const S _s105 = singles_mul(bend_e, _s65);
@@ -1146,12 +1519,12 @@ LANES(hoop_carry_impact)(S t, S x, S y, S z, S vx, S vy, S vz, S wx, S wy, S wz,
     const S _s127 = singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s0, _s83), _s22), singles_mul(_s104, _s84)), singles_mul(_s106, _s99))));
     const S _s128 = singles_neg(singles_mul(_c1, singles_sub(singles_sub(singles_add(singles_mul(_s0, _s86), _s32), singles_mul(_s104, _s87)), singles_mul(_s106, _s101))));
     const S _s129 = singles_mul(KS(1.0009765625), singles_add(_s121, singles_add(singles_add(_s126, singles_mul(pace_s, singles_abs(_s127))), singles_mul(pace_e, singles_abs(_s128)))));
-    const S _s130 = singles_select(_s61, _s129, KS(INFINITY));
-    const S _s131 = singles_mul(_c4, _s69);
-    const S _s132 = singles_add(singles_add(singles_mul(wx, _s63), singles_mul(wy, _s64)), singles_mul(wz, _s65));
-    const S _s133 = singles_add(singles_add(singles_mul(nx, wx), singles_mul(ny, wy)), singles_mul(nz, wz));
-    const S _s134 = singles_mul(bend_e, singles_sub(singles_mul(nz, _s132), singles_mul(_s65, _s133)));
-    const S _s135 = singles_add(_s131, singles_mul(singles_abs(_s134), _s91));
+    const S _s130 = singles_mul(_c4, _s69);
+    const S _s131 = singles_add(singles_add(singles_mul(wx, _s63), singles_mul(wy, _s64)), singles_mul(wz, _s65));
+    const S _s132 = singles_add(singles_add(singles_mul(nx, wx), singles_mul(ny, wy)), singles_mul(nz, wz));
+    const S _s133 = singles_mul(_s65, _s132);
+    const S _s134 = singles_mul(bend_e, singles_sub(singles_mul(nz, _s131), _s133));
+    const S _s135 = singles_add(_s130, singles_mul(singles_abs(_s134), _s91));
     const S _s136 = singles_mul(bend_s, normal_velocity);
     const S _s137 = singles_mul(nz, bend_e);
     const S _s138 = singles_neg(singles_mul(_s137, _s89));
@@ -1176,48 +1549,75 @@ LANES(hoop_carry_impact)(S t, S x, S y, S z, S vx, S vy, S vz, S wx, S wy, S wz,
     const S _s157 = singles_add(singles_mul(_c6, singles_sub(singles_neg(singles_mul(_c8, _s94)), singles_mul(_s134, _s101))), singles_mul(KS(0.6), singles_sub(singles_sub(singles_add(singles_mul(_s141, _s86), _s79), singles_mul(_s136, _s87)), singles_mul(_s138, _s101))));
     const S _s158 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, _s142), singles_mul(place_s, _s148)), singles_mul(place_e, singles_abs(_s154))), singles_mul(pace_n, singles_abs(_s155))), singles_mul(pace_s, singles_abs(_s156))), singles_mul(pace_e, singles_abs(_s157)));
     const S _s159 = singles_add(singles_add(singles_add(_s158, singles_mul(turn_n, singles_abs(singles_mul(_c6, _s92)))), singles_mul(turn_z, singles_abs(singles_mul(_c6, _s96)))), singles_mul(turn_z, singles_abs(singles_mul(_c6, _s94))));
-    const S _s160 = singles_select(_s61, singles_mul(KS(1.0009765625), singles_add(singles_add(singles_add(singles_mul(_c6, _s135), singles_mul(KS(0.6), _s139)), _s140), _s159)), KS(INFINITY));
-    const S _s161 = singles_mul(bend_s, _s133);
-    const S _s162 = singles_add(singles_mul(wx, tangent_x), singles_mul(wy, tangent_y));
-    const S _s163 = singles_neg(singles_mul(_s137, _s162));
-    const S _s164 = singles_add(singles_mul(singles_abs(_s161), _s69), singles_mul(singles_abs(_s163), _s91));
-    const S _s165 = singles_mul(bend_e, singles_sub(singles_mul(nz, _s66), singles_mul(normal_velocity, _s65)));
-    const S _s166 = singles_add(_s103, singles_add(_s131, singles_mul(singles_abs(_s165), _s91)));
-    const S _s167 = singles_abs(singles_sub(singles_mul(KS(0.6), singles_neg(singles_mul(_s165, _s93))), singles_mul(_c6, singles_neg(singles_add(singles_mul(_s161, _s74), singles_mul(_s163, _s93))))));
-    const S _s168 = singles_sub(singles_mul(KS(0.6), singles_sub(singles_add(singles_mul(_s20, _s94), singles_mul(_s17, _s92)), singles_mul(_s165, _s95))), singles_mul(_c6, singles_sub(singles_sub(singles_add(singles_mul(_s144, _s76), singles_mul(_s146, _s73)), singles_mul(_s161, _s77)), singles_mul(_s163, _s95))));
-    const S _s169 = singles_mul(_c6, singles_sub(singles_sub(singles_add(singles_add(singles_mul(_s149, _s79), singles_mul(_s151, _s76)), singles_mul(_s152, _s73)), singles_mul(_s161, _s80)), singles_mul(_s163, _s97)));
-    const S _s170 = singles_sub(singles_mul(KS(0.6), singles_sub(singles_add(singles_add(singles_mul(_s30, _s96), singles_mul(_s26, _s94)), singles_mul(_s28, _s92)), singles_mul(_s165, _s97))), _s169);
-    const S _s171 = singles_abs(singles_sub(singles_mul(KS(0.6), singles_sub(_s92, singles_mul(_s165, _s98))), singles_mul(_c6, singles_neg(singles_add(singles_mul(_s161, _s82), singles_mul(_s163, _s98))))));
-    const S _s172 = singles_abs(singles_sub(singles_mul(KS(0.6), singles_sub(_s94, singles_mul(_s165, _s99))), singles_mul(_c6, singles_sub(singles_sub(singles_mul(_c8, _s79), singles_mul(_s161, _s84)), singles_mul(_s163, _s99)))));
-    const S _s173 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, _s167), singles_mul(place_s, singles_abs(_s168))), singles_mul(place_e, singles_abs(_s170))), singles_mul(pace_n, _s171)), singles_mul(pace_s, _s172));
-    const S _s174 = singles_sub(singles_mul(KS(0.6), singles_sub(_s96, singles_mul(_s165, _s101))), singles_mul(_c6, singles_sub(singles_sub(singles_neg(singles_mul(_c8, _s76)), singles_mul(_s161, _s87)), singles_mul(_s163, _s101))));
-    const S _s175 = singles_add(singles_add(singles_add(_s173, singles_mul(pace_e, singles_abs(_s174))), singles_mul(turn_n, singles_abs(singles_neg(singles_mul(_c6, _s73))))), singles_mul(turn_z, singles_abs(singles_neg(singles_mul(_c6, _s79)))));
-    const S _s176 = singles_add(singles_add(singles_add(singles_mul(_c6, _s164), singles_mul(KS(0.6), _s166)), _s140), singles_add(_s175, singles_mul(turn_z, singles_abs(singles_neg(singles_mul(_c6, _s76))))));
-    const S _s177 = singles_select(_s61, singles_mul(KS(1.0009765625), _s176), KS(INFINITY));
-    const S _s178 = singles_neg(singles_mul(bend_s, _s132));
-    const S _s179 = singles_mul(_s105, _s162);
-    const S _s180 = singles_add(singles_mul(singles_abs(_s178), _s69), singles_mul(singles_abs(_s179), _s91));
-    const S _s181 = singles_add(singles_mul(_c8, _s47), _s109);
-    const S _s182 = singles_add(singles_add(singles_add(singles_mul(_c8, singles_add(_s114, _s119)), singles_mul(_s51, singles_add(singles_mul(KS(2.0), spin_bound), singles_mul(_c9, _s46)))), singles_mul(_s116, singles_add(spin_bound, _s109))), singles_mul(_s115, _s181));
-    const S _s183 = singles_add(singles_add(_s182, singles_mul(_s117, singles_add(singles_mul(_c9, _s47), singles_mul(KS(2.0), _s109)))), singles_mul(KS(1.9073486328125e-06), singles_add(spin_bound, singles_mul(_s51, _s109))));
-    const S _s184 = singles_add(singles_add(singles_add(singles_add(singles_mul(_c8, _s113), singles_mul(KS(2.0), singles_mul(_s108, _s109))), singles_mul(KS(0.6), singles_mul(singles_mul(normal_rounding, _c8), _s47))), _s180), _s183);
-    const S _s185 = singles_mul(place_s, singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s144, _s22), singles_mul(_s146, _s9)), singles_mul(_s178, _s77)), singles_mul(_s179, _s95))));
-    const S _s186 = singles_add(singles_mul(place_n, singles_abs(singles_neg(singles_add(singles_mul(_s178, _s74), singles_mul(_s179, _s93))))), _s185);
-    const S _s187 = singles_abs(singles_sub(singles_sub(singles_add(singles_add(singles_mul(_s149, _s32), singles_mul(_s151, _s22)), singles_mul(_s152, _s9)), singles_mul(_s178, _s80)), singles_mul(_s179, _s97)));
-    const S _s188 = singles_add(singles_add(_s186, singles_mul(place_e, _s187)), singles_mul(pace_n, singles_abs(singles_neg(singles_add(singles_mul(_s178, _s82), singles_mul(_s179, _s98))))));
-    const S _s189 = singles_add(_s188, singles_mul(pace_s, singles_abs(singles_sub(singles_sub(singles_mul(_c8, _s32), singles_mul(_s178, _s84)), singles_mul(_s179, _s99)))));
-    const S _s190 = singles_mul(pace_e, singles_abs(singles_sub(singles_sub(singles_neg(singles_mul(_c8, _s22)), singles_mul(_s178, _s87)), singles_mul(_s179, _s101))));
-    const S _s191 = singles_add(_s184, singles_add(singles_add(singles_add(singles_add(_s189, _s190), singles_mul(turn_n, singles_abs(_s9))), singles_mul(turn_z, singles_abs(_s32))), singles_mul(turn_z, singles_abs(_s22))));
-    const S _s192 = singles_select(_s61, singles_mul(KS(1.0009765625), _s191), KS(INFINITY));
-    const S _s193 = singles_add(singles_mul(_c8, singles_add(_s113, _s140)), singles_mul(KS(2.0), singles_mul(_s108, singles_add(singles_mul(_c9, singles_add(_s90, _s67)), _s109))));
-    const S _s194 = singles_max(_s107, _s139);
-    const S _s195 = singles_max(_s180, _s164);
-    const S _s196 = singles_mul(KS(1.0009765625), singles_add(singles_add(_s193, singles_add(singles_mul(_c8, singles_max(_s194, _s166)), singles_max(_s195, _s135))), _s183));
-    const S _s197 = singles_select(_s61, _s196, KS(INFINITY));
-    const S _s198 = singles_add(singles_mul(bend_s, _s88), singles_mul(bend_e, _s102));
-    const S _s199 = singles_add(_s160, _s177);
-    const S _s200 = singles_select(_s61, singles_mul(KS(1.0009765625), singles_add(singles_add(singles_add(singles_div(_s199, _c0), singles_mul(_s198, _s181)), singles_mul(KS(2.0), _s197)), _s192)), KS(INFINITY));
-    return (LANES(hoop_carry_impact_out)){ _s62, _s88, _s102, _s130, _s160, _s177, _s192, _s197, singles_select(_s61, singles_mul(KS(1.0009765625), singles_add(singles_add(_s62, _s102), _s88)), KS(INFINITY)), singles_select(_s61, singles_mul(KS(1.0009765625), singles_add(singles_add(singles_mul(_s112, _s198), _s199), _s130)), KS(INFINITY)), _s200, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_select(_s61, singles_mul(KS(1.0009765625), _s42), KS(INFINITY))) };
+    const S _s160 = singles_mul(KS(1.0009765625), singles_add(singles_add(singles_add(singles_mul(_c6, _s135), singles_mul(KS(0.6), _s139)), _s140), _s159));
+    const S _s161 = singles_mul(bend_s, _s132);
+    const S _s162 = singles_abs(_s161);
+    const S _s163 = singles_add(singles_mul(wx, tangent_x), singles_mul(wy, tangent_y));
+    const S _s164 = singles_neg(singles_mul(_s137, _s163));
+    const S _s165 = singles_add(singles_mul(_s162, _s69), singles_mul(singles_abs(_s164), _s91));
+    const S _s166 = singles_mul(bend_e, singles_sub(singles_mul(nz, _s66), singles_mul(normal_velocity, _s65)));
+    const S _s167 = singles_add(_s103, singles_add(_s130, singles_mul(singles_abs(_s166), _s91)));
+    const S _s168 = singles_abs(singles_sub(singles_mul(KS(0.6), singles_neg(singles_mul(_s166, _s93))), singles_mul(_c6, singles_neg(singles_add(singles_mul(_s161, _s74), singles_mul(_s164, _s93))))));
+    const S _s169 = singles_sub(singles_mul(KS(0.6), singles_sub(singles_add(singles_mul(_s20, _s94), singles_mul(_s17, _s92)), singles_mul(_s166, _s95))), singles_mul(_c6, singles_sub(singles_sub(singles_add(singles_mul(_s144, _s76), singles_mul(_s146, _s73)), singles_mul(_s161, _s77)), singles_mul(_s164, _s95))));
+    const S _s170 = singles_mul(_c6, singles_sub(singles_sub(singles_add(singles_add(singles_mul(_s149, _s79), singles_mul(_s151, _s76)), singles_mul(_s152, _s73)), singles_mul(_s161, _s80)), singles_mul(_s164, _s97)));
+    const S _s171 = singles_sub(singles_mul(KS(0.6), singles_sub(singles_add(singles_add(singles_mul(_s30, _s96), singles_mul(_s26, _s94)), singles_mul(_s28, _s92)), singles_mul(_s166, _s97))), _s170);
+    const S _s172 = singles_abs(singles_sub(singles_mul(KS(0.6), singles_sub(_s92, singles_mul(_s166, _s98))), singles_mul(_c6, singles_neg(singles_add(singles_mul(_s161, _s82), singles_mul(_s164, _s98))))));
+    const S _s173 = singles_abs(singles_sub(singles_mul(KS(0.6), singles_sub(_s94, singles_mul(_s166, _s99))), singles_mul(_c6, singles_sub(singles_sub(singles_mul(_c8, _s79), singles_mul(_s161, _s84)), singles_mul(_s164, _s99)))));
+    const S _s174 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, _s168), singles_mul(place_s, singles_abs(_s169))), singles_mul(place_e, singles_abs(_s171))), singles_mul(pace_n, _s172)), singles_mul(pace_s, _s173));
+    const S _s175 = singles_sub(singles_mul(KS(0.6), singles_sub(_s96, singles_mul(_s166, _s101))), singles_mul(_c6, singles_sub(singles_sub(singles_neg(singles_mul(_c8, _s76)), singles_mul(_s161, _s87)), singles_mul(_s164, _s101))));
+    const S _s176 = singles_add(singles_add(singles_add(_s174, singles_mul(pace_e, singles_abs(_s175))), singles_mul(turn_n, singles_abs(singles_neg(singles_mul(_c6, _s73))))), singles_mul(turn_z, singles_abs(singles_neg(singles_mul(_c6, _s79)))));
+    const S _s177 = singles_add(singles_add(singles_add(singles_mul(_c6, _s165), singles_mul(KS(0.6), _s167)), _s140), singles_add(_s176, singles_mul(turn_z, singles_abs(singles_neg(singles_mul(_c6, _s76))))));
+    const S _s178 = singles_mul(KS(1.0009765625), _s177);
+    const S _s179 = singles_neg(singles_mul(bend_s, _s131));
+    const S _s180 = singles_mul(_s105, _s163);
+    const S _s181 = singles_add(singles_mul(singles_abs(_s179), _s69), singles_mul(singles_abs(_s180), _s91));
+    const S _s182 = singles_add(singles_mul(_c8, _s47), _s109);
+    const S _s183 = singles_add(singles_add(singles_add(singles_mul(_c8, singles_add(_s114, _s119)), singles_mul(_s51, singles_add(singles_mul(KS(2.0), spin_bound), singles_mul(_c9, _s46)))), singles_mul(_s116, singles_add(spin_bound, _s109))), singles_mul(_s115, _s182));
+    const S _s184 = singles_add(singles_add(_s183, singles_mul(_s117, singles_add(singles_mul(_c9, _s47), singles_mul(KS(2.0), _s109)))), singles_mul(KS(1.9073486328125e-06), singles_add(spin_bound, singles_mul(_s51, _s109))));
+    const S _s185 = singles_add(singles_add(singles_add(singles_add(singles_mul(_c8, _s113), singles_mul(KS(2.0), singles_mul(_s108, _s109))), singles_mul(KS(0.6), singles_mul(singles_mul(normal_rounding, _c8), _s47))), _s181), _s184);
+    const S _s186 = singles_mul(place_s, singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s144, _s22), singles_mul(_s146, _s9)), singles_mul(_s179, _s77)), singles_mul(_s180, _s95))));
+    const S _s187 = singles_add(singles_mul(place_n, singles_abs(singles_neg(singles_add(singles_mul(_s179, _s74), singles_mul(_s180, _s93))))), _s186);
+    const S _s188 = singles_abs(singles_sub(singles_sub(singles_add(singles_add(singles_mul(_s149, _s32), singles_mul(_s151, _s22)), singles_mul(_s152, _s9)), singles_mul(_s179, _s80)), singles_mul(_s180, _s97)));
+    const S _s189 = singles_add(singles_add(_s187, singles_mul(place_e, _s188)), singles_mul(pace_n, singles_abs(singles_neg(singles_add(singles_mul(_s179, _s82), singles_mul(_s180, _s98))))));
+    const S _s190 = singles_add(_s189, singles_mul(pace_s, singles_abs(singles_sub(singles_sub(singles_mul(_c8, _s32), singles_mul(_s179, _s84)), singles_mul(_s180, _s99)))));
+    const S _s191 = singles_mul(pace_e, singles_abs(singles_sub(singles_sub(singles_neg(singles_mul(_c8, _s22)), singles_mul(_s179, _s87)), singles_mul(_s180, _s101))));
+    const S _s192 = singles_add(_s185, singles_add(singles_add(singles_add(singles_add(_s190, _s191), singles_mul(turn_n, singles_abs(_s9))), singles_mul(turn_z, singles_abs(_s32))), singles_mul(turn_z, singles_abs(_s22))));
+    const S _s193 = singles_mul(KS(1.0009765625), _s192);
+    const S _s194 = singles_add(singles_mul(_c8, singles_add(_s113, _s140)), singles_mul(KS(2.0), singles_mul(_s108, singles_add(singles_mul(_c9, singles_add(_s90, _s67)), _s109))));
+    const S _s195 = singles_max(_s107, _s139);
+    const S _s196 = singles_max(_s181, _s165);
+    const S _s197 = singles_mul(KS(1.0009765625), singles_add(singles_add(_s194, singles_add(singles_mul(_c8, singles_max(_s195, _s167)), singles_max(_s196, _s135))), _s184));
+    const S _s198 = singles_max(_s61, _s88);
+    const S _s199 = singles_max(_s198, _s102);
+    const S _s200 = singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_sub(singles_add(singles_add(_s61, _s102), _s88), _s199)), _s199));
+    const S _s201 = singles_mul(_c4, _s88);
+    const S _s202 = singles_add(singles_mul(_c6, _s163), singles_mul(KS(0.6), _s66));
+    const S _s203 = singles_neg(singles_mul(_c1, normal_velocity));
+    const S _s204 = singles_add(_s201, singles_mul(singles_abs(singles_mul(bend_e, singles_sub(singles_mul(nz, _s202), singles_mul(_s203, _s65)))), _s102));
+    const S _s205 = singles_mul(KS(1.9073486328125e-06), singles_add(singles_mul(bend_s, _s88), singles_mul(bend_e, _s102)));
+    const S _s206 = singles_mul(_s112, _s205);
+    const S _s207 = singles_add(singles_add(_s204, _s206), _s178);
+    const S _s208 = singles_sub(singles_mul(KS(0.6), _s89), singles_mul(_c6, _s131));
+    const S _s209 = singles_add(singles_add(singles_mul(singles_abs(singles_mul(bend_s, _s203)), _s88), singles_mul(singles_abs(singles_neg(singles_mul(_s137, _s208))), _s102)), _s206);
+    const S _s210 = singles_add(_s209, _s160);
+    const S _s211 = singles_add(singles_add(singles_mul(singles_abs(singles_neg(singles_mul(bend_s, _s202))), _s88), singles_mul(singles_abs(singles_mul(_s105, _s208)), _s102)), _s206);
+    const S _s212 = singles_add(_s211, _s129);
+    const S _s213 = singles_max(_s212, _s210);
+    const S _s214 = singles_max(_s213, _s207);
+    const S _s215 = singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_sub(singles_add(singles_add(_s207, _s210), _s212), _s214)), _s214));
+    const S _s216 = singles_neg(singles_mul(_c8, _s208));
+    const S _s217 = singles_mul(_c8, _s202);
+    const S _s218 = singles_mul(_s182, _s205);
+    const S _s219 = singles_add(singles_add(singles_mul(singles_abs(singles_neg(singles_mul(bend_s, _s216))), _s88), singles_mul(singles_abs(singles_mul(singles_mul(bend_e, _s217), _s65)), _s102)), _s218);
+    const S _s220 = singles_add(_s219, _s193);
+    const S _s221 = singles_add(singles_add(singles_div(_s160, _c0), _s201), singles_mul(singles_abs(singles_mul(bend_e, singles_sub(singles_mul(nz, _s216), _s133))), _s102));
+    const S _s222 = singles_add(singles_add(_s221, _s218), _s197);
+    const S _s223 = singles_add(singles_add(singles_add(singles_div(_s178, _c0), singles_mul(_s162, _s88)), singles_mul(singles_abs(singles_neg(singles_mul(_s137, _s217))), _s102)), _s218);
+    const S _s224 = singles_add(_s223, _s197);
+    const S _s225 = singles_max(_s220, _s224);
+    const S _s226 = singles_max(_s225, _s222);
+    const S _s227 = singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_sub(singles_add(singles_add(_s220, _s222), _s224), _s226)), _s226));
+    return (LANES(hoop_carry_impact_out)){ singles_select(_s62, _s61, KS(INFINITY)), singles_select(_s62, _s88, KS(INFINITY)), singles_select(_s62, _s102, KS(INFINITY)), singles_select(_s62, _s129, KS(INFINITY)), singles_select(_s62, _s160, KS(INFINITY)), singles_select(_s62, _s178, KS(INFINITY)), singles_select(_s62, _s193, KS(INFINITY)), singles_select(_s62, _s197, KS(INFINITY)), singles_select(_s62, _s200, KS(INFINITY)), singles_select(_s62, _s215, KS(INFINITY)), singles_select(_s62, _s227, KS(INFINITY)), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_select(_s62, singles_mul(KS(1.0009765625), _s42), KS(INFINITY))) };
 }
 
 /* Outward unit normal n3 at a contact.

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene hoop, derivation f126937a0127ad50,
+   Generated from templates/c/loop.h.j2, scene hoop, derivation 394a5522f97c63e8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -37,6 +37,55 @@ typedef struct {
     LANES(singles_column) left_ey; /* of the frame of the last contact */
     LANES(singles_column) left_bend_s; /* of the frame of the last contact */
     LANES(singles_column) left_bend_e; /* of the frame of the last contact */
+    LANES(singles_column) origin_s; /* to tighten bounds on errors */
+    LANES(singles_column) origin_e; /* to tighten bounds on errors */
+    LANES(singles_column) origin_u; /* to tighten bounds on errors */
+    LANES(singles_column) origin_v; /* to tighten bounds on errors */
+    LANES(singles_column) origin_w; /* to tighten bounds on errors */
+    LANES(singles_column) origin_t; /* to tighten bounds on errors */
+    LANES(singles_column) product_11; /* to tighten bounds on errors */
+    LANES(singles_column) product_12; /* to tighten bounds on errors */
+    LANES(singles_column) product_13; /* to tighten bounds on errors */
+    LANES(singles_column) product_14; /* to tighten bounds on errors */
+    LANES(singles_column) product_15; /* to tighten bounds on errors */
+    LANES(singles_column) product_16; /* to tighten bounds on errors */
+    LANES(singles_column) product_21; /* to tighten bounds on errors */
+    LANES(singles_column) product_22; /* to tighten bounds on errors */
+    LANES(singles_column) product_23; /* to tighten bounds on errors */
+    LANES(singles_column) product_24; /* to tighten bounds on errors */
+    LANES(singles_column) product_25; /* to tighten bounds on errors */
+    LANES(singles_column) product_26; /* to tighten bounds on errors */
+    LANES(singles_column) product_31; /* to tighten bounds on errors */
+    LANES(singles_column) product_32; /* to tighten bounds on errors */
+    LANES(singles_column) product_33; /* to tighten bounds on errors */
+    LANES(singles_column) product_34; /* to tighten bounds on errors */
+    LANES(singles_column) product_35; /* to tighten bounds on errors */
+    LANES(singles_column) product_36; /* to tighten bounds on errors */
+    LANES(singles_column) product_41; /* to tighten bounds on errors */
+    LANES(singles_column) product_42; /* to tighten bounds on errors */
+    LANES(singles_column) product_43; /* to tighten bounds on errors */
+    LANES(singles_column) product_44; /* to tighten bounds on errors */
+    LANES(singles_column) product_45; /* to tighten bounds on errors */
+    LANES(singles_column) product_46; /* to tighten bounds on errors */
+    LANES(singles_column) product_51; /* to tighten bounds on errors */
+    LANES(singles_column) product_52; /* to tighten bounds on errors */
+    LANES(singles_column) product_53; /* to tighten bounds on errors */
+    LANES(singles_column) product_54; /* to tighten bounds on errors */
+    LANES(singles_column) product_55; /* to tighten bounds on errors */
+    LANES(singles_column) product_56; /* to tighten bounds on errors */
+    LANES(singles_column) product_61; /* to tighten bounds on errors */
+    LANES(singles_column) product_62; /* to tighten bounds on errors */
+    LANES(singles_column) product_63; /* to tighten bounds on errors */
+    LANES(singles_column) product_64; /* to tighten bounds on errors */
+    LANES(singles_column) product_65; /* to tighten bounds on errors */
+    LANES(singles_column) product_66; /* to tighten bounds on errors */
+    LANES(singles_column) recent_s; /* to tighten bounds on errors */
+    LANES(singles_column) recent_e; /* to tighten bounds on errors */
+    LANES(singles_column) recent_u; /* to tighten bounds on errors */
+    LANES(singles_column) recent_v; /* to tighten bounds on errors */
+    LANES(singles_column) recent_w; /* to tighten bounds on errors */
+    LANES(singles_column) recent_t; /* to tighten bounds on errors */
+    LANES(singles_column) continued; /* to tighten bounds on errors */
 #endif
     LANES(column) clock; /* time of the last event, s since the release */
 #if BOUNDED
@@ -56,6 +105,12 @@ typedef struct {
     LANES(singles_column) time_claim; /* bound on the error at the end */
 #endif
     LANES(column) outcome; /* how it ended, -1: in flight */
+#if BOUNDED
+    /* Shots that have ended, and whose bounds on errors may be tightened. */
+    size_t loose_shots;
+    double loose_shot[LANES_LOOSE + LANES_WIDTH];
+    int tightening; /* whether those in flight are such shots: they are simulated again */
+#endif
     LANES(hoop_parameters) parameters, stepping_parameters, searching_parameters, searching_searching_parameters, refining_parameters;
     LANES(column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
     LANES(column) arrival, arrives, body, ceiling, certain, extent, flat, limited, open, permitted,
@@ -112,11 +167,23 @@ LANES_INLINE void LOOP(fill)(LOOP(worklist) *worklist, size_t row, int varying)
 {
     EACH(FILL, , x, y, z, vx, vy, vz, wx, wy, wz, clock, first, contacts, count_0, count_1, count_2)
     EACH(FILL, , outcome, last, shot)
-    BOUNDS(EACH(FILL, , uncertain))
-    BOUNDS(EACH(FILL_SINGLE, , place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z))
-    BOUNDS(EACH(FILL_SINGLE, , position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz))
-    BOUNDS(EACH(FILL_SINGLE, , left_ex, left_ey, left_bend_s, left_bend_e, clock_error, position_claim))
-    BOUNDS(EACH(FILL_SINGLE, , velocity_claim, spin_claim, time_claim))
+#if BOUNDED
+    EACH(FILL, , uncertain)
+    EACH(FILL_SINGLE, , place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z)
+    EACH(FILL_SINGLE, , position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz)
+    EACH(FILL_SINGLE, , left_ex, left_ey, left_bend_s, left_bend_e, clock_error, position_claim)
+    EACH(FILL_SINGLE, , velocity_claim, spin_claim, time_claim)
+    if (worklist->tightening) {
+        EACH(FILL_SINGLE, , origin_s, origin_e, origin_u, origin_v, origin_w, origin_t, product_11)
+        EACH(FILL_SINGLE, , product_12, product_13, product_14, product_15, product_16, product_21)
+        EACH(FILL_SINGLE, , product_22, product_23, product_24, product_25, product_26, product_31)
+        EACH(FILL_SINGLE, , product_32, product_33, product_34, product_35, product_36, product_41)
+        EACH(FILL_SINGLE, , product_42, product_43, product_44, product_45, product_46, product_51)
+        EACH(FILL_SINGLE, , product_52, product_53, product_54, product_55, product_56, product_61)
+        EACH(FILL_SINGLE, , product_62, product_63, product_64, product_65, product_66, recent_s)
+        EACH(FILL_SINGLE, , recent_e, recent_u, recent_v, recent_w, recent_t, continued)
+    }
+#endif
     if (varying) {
         for (int p = 0; p < HOOP_PARAMETERS; p++)
             lanes_store(worklist->parameters.columns[p] + row, K(0.0));
@@ -148,6 +215,37 @@ LANES_INLINE void LOOP(reset)(const hoop_job *job, size_t start, size_t shots)
         memset(job->results->event_counts + start, 0, shots * sizeof(int32_t));
 }
 
+/* Have the fields of the shots in rows from one on as at a release. */
+LANES_INLINE void LOOP(begin_fields)(LOOP(worklist) *worklist, size_t row, size_t shots)
+{
+    for (size_t k = 0; k < shots; k += LANES_WIDTH) {
+        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n))
+        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), turn_z, position_bound, velocity_bound, spin_bound, left_nx))
+        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e))
+        EACH(BEGIN, K(0.0), clock)
+        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), clock_error))
+        EACH(BEGIN, K(-1.0), first)
+        EACH(BEGIN, K(0.0), contacts, count_0, count_1, count_2)
+        BOUNDS(EACH(BEGIN, K(0.0), uncertain))
+        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), position_claim, velocity_claim, spin_claim, time_claim))
+        EACH(BEGIN, K(-1.0), outcome, last)
+#if BOUNDED
+        if (worklist->tightening) {
+            EACH(BEGIN_SINGLE, KS(0.0), origin_s, origin_e, origin_u, origin_v, origin_w, origin_t)
+            EACH(BEGIN_SINGLE, KS(0.0), product_11, product_12, product_13, product_14, product_15)
+            EACH(BEGIN_SINGLE, KS(0.0), product_16, product_21, product_22, product_23, product_24)
+            EACH(BEGIN_SINGLE, KS(0.0), product_25, product_26, product_31, product_32, product_33)
+            EACH(BEGIN_SINGLE, KS(0.0), product_34, product_35, product_36, product_41, product_42)
+            EACH(BEGIN_SINGLE, KS(0.0), product_43, product_44, product_45, product_46, product_51)
+            EACH(BEGIN_SINGLE, KS(0.0), product_52, product_53, product_54, product_55, product_56)
+            EACH(BEGIN_SINGLE, KS(0.0), product_61, product_62, product_63, product_64, product_65)
+            EACH(BEGIN_SINGLE, KS(0.0), product_66, recent_s, recent_e, recent_u, recent_v)
+            EACH(BEGIN_SINGLE, KS(0.0), recent_w, recent_t, continued)
+        }
+#endif
+    }
+}
+
 /* Put the next shots into rows, from one on. */
 LANES_INLINE void LOOP(begin)(LOOP(worklist) *worklist, size_t row, size_t shots, const hoop_job *job, size_t start)
 {
@@ -176,23 +274,49 @@ LANES_INLINE void LOOP(begin)(LOOP(worklist) *worklist, size_t row, size_t shots
             LOOP(permitted)(worklist, row + k);
     for (k = 0; k < shots; k++)
         worklist->shot[row + k] = (double)(start + k);
-    for (k = 0; k < shots; k += LANES_WIDTH) {
-        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n))
-        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), turn_z, position_bound, velocity_bound, spin_bound, left_nx))
-        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e))
-        EACH(BEGIN, K(0.0), clock)
-        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), clock_error))
-        EACH(BEGIN, K(-1.0), first)
-        EACH(BEGIN, K(0.0), contacts, count_0, count_1, count_2)
-        BOUNDS(EACH(BEGIN, K(0.0), uncertain))
-        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), position_claim, velocity_claim, spin_claim, time_claim))
-        EACH(BEGIN, K(-1.0), outcome, last)
-    }
+    LOOP(begin_fields)(worklist, row, shots);
     if (job->leaving)
         for (k = 0; k < shots; k++)
             worklist->last[row + k] = (double)job->leaving[start + k];
     LOOP(reset)(job, start, shots);
+#if BOUNDED
 }
+
+/* Put shots whose bounds may be tightened into rows, from one on; return how many. */
+static size_t LOOP(begin_again)(LOOP(worklist) *worklist, size_t row, const hoop_job *job)
+{
+    const size_t room = LANES_SHOTS - row, left = worklist->loose_shots;
+    const size_t shots = left < room ? left : room, from = left - shots;
+    LOOP(fill)(worklist, row + shots, job->varying);
+    for (size_t k = 0; k < shots; k++) {
+        const size_t shot = (size_t)worklist->loose_shot[from + k];
+        const double *state = job->states + HOOP_STATE * shot;
+        worklist->shot[row + k] = (double)shot;
+        worklist->x[row + k] = state[0];
+        worklist->y[row + k] = state[1];
+        worklist->z[row + k] = state[2];
+        worklist->vx[row + k] = state[3];
+        worklist->vy[row + k] = state[4];
+        worklist->vz[row + k] = state[5];
+        worklist->wx[row + k] = state[6];
+        worklist->wy[row + k] = state[7];
+        worklist->wz[row + k] = state[8];
+        if (job->varying)
+            for (int p = 0; p < HOOP_PARAMETERS; p++)
+                worklist->parameters.columns[p][row + k] = job->parameters[p][job->strides[p] * (int64_t)shot];
+    }
+    if (job->varying)
+        for (size_t k = 0; k < shots; k += LANES_WIDTH)
+            LOOP(permitted)(worklist, row + k);
+    LOOP(begin_fields)(worklist, row, shots);
+    if (job->leaving)
+        for (size_t k = 0; k < shots; k++)
+            worklist->last[row + k] = (double)job->leaving[(size_t)worklist->shot[row + k]];
+    worklist->loose_shots = from;
+    return shots;
+#endif
+}
+
 
 /* Write the results of the shots in rows that follow one another, none of them invalid. */
 LANES_INLINE void LOOP(finish_all)(const LOOP(worklist) *worklist, size_t shots, const hoop_job *job)
@@ -308,24 +432,24 @@ LANES_INLINE void LOOP(finish)(const LOOP(worklist) *worklist, size_t row, const
     const hoop_results *out = job->results;
     const size_t shot = (size_t)worklist->shot[row];
     const int invalid = (int)worklist->outcome[row] == HOOP_OUTCOME_INVALID;
-    if (out->outcome) {
+    if (out->outcome && !TIGHTENING) {
         out->outcome[shot] = (uint8_t)worklist->outcome[row];
     }
-    if (out->contacts) {
+    if (out->contacts && !TIGHTENING) {
         out->contacts[shot] = (int32_t)worklist->contacts[row];
     }
-    if (out->counts) {
+    if (out->counts && !TIGHTENING) {
         out->counts[3 * shot + 0] = (int32_t)worklist->count_0[row];
         out->counts[3 * shot + 1] = (int32_t)worklist->count_1[row];
         out->counts[3 * shot + 2] = (int32_t)worklist->count_2[row];
     }
-    if (out->first) {
+    if (out->first && !TIGHTENING) {
         out->first[shot] = (int8_t)worklist->first[row];
     }
-    if (out->time) {
+    if (out->time && !TIGHTENING) {
         out->time[shot] = invalid ? NAN : worklist->clock[row];
     }
-    if (out->state) {
+    if (out->state && !TIGHTENING) {
         out->state[9 * shot + 0] = invalid ? NAN : worklist->x[row];
         out->state[9 * shot + 1] = invalid ? NAN : worklist->y[row];
         out->state[9 * shot + 2] = invalid ? NAN : worklist->z[row];
@@ -348,6 +472,23 @@ LANES_INLINE void LOOP(finish)(const LOOP(worklist) *worklist, size_t row, const
     if (out->uncertain) {
         out->uncertain[shot] = (uint8_t)worklist->uncertain[row];
     }
+}
+
+/* Remember those shots of a row of lanes that are over, and whose bounds may be tightened. */
+LANES_INLINE void LOOP(review)(LOOP(worklist) *worklist, size_t i, M over)
+{
+    if (worklist->tightening)
+        return;
+    const V contacts = lanes_load(worklist->contacts + i);
+    const V outcome = lanes_load(worklist->outcome + i);
+    const V uncertain = lanes_load(worklist->uncertain + i);
+    CALL(hoop_loose, _loose_1)(contacts, outcome, uncertain);
+    EACH(GET_MASK, _loose_1, loose)
+    const M twice = lanes_both(over, loose);
+    if (lanes_any(twice)) {
+        lanes_pack(worklist->loose_shot + worklist->loose_shots, twice, lanes_load(worklist->shot + i));
+        worklist->loose_shots += popcount(twice);
+    }
 #endif
 }
 
@@ -361,6 +502,9 @@ LANES_INLINE size_t LOOP(leave)(LOOP(worklist) *worklist, size_t start, size_t s
         const M over = lanes_both(mask_first_n(shots - i), lanes_not(going));
         lanes_pack(worklist->finished + ended, over, lanes_add(iota(), K((double)i)));
         ended += popcount(over);
+#if BOUNDED
+        LOOP(review)(worklist, i, over);
+#endif
     }
     for (size_t k = 0; k < ended; k++)
         LOOP(finish)(worklist, (size_t)worklist->finished[k], job);
@@ -371,10 +515,24 @@ LANES_INLINE size_t LOOP(leave)(LOOP(worklist) *worklist, size_t start, size_t s
             lanes_pack(worklist->shot + kept, going, lanes_load(worklist->shot + i));
             EACH(KEEP, , x, y, z, vx, vy, vz, wx, wy, wz, clock, last, first, contacts, count_0)
             EACH(KEEP, , count_1, count_2)
-            BOUNDS(EACH(KEEP, , uncertain))
-            BOUNDS(EACH(KEEP_SINGLE, , place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z))
-            BOUNDS(EACH(KEEP_SINGLE, , position_bound, velocity_bound, spin_bound, left_nx, left_ny))
-            BOUNDS(EACH(KEEP_SINGLE, , left_nz, left_ex, left_ey, left_bend_s, left_bend_e, clock_error))
+#if BOUNDED
+            EACH(KEEP, , uncertain)
+            EACH(KEEP_SINGLE, , place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z)
+            EACH(KEEP_SINGLE, , position_bound, velocity_bound, spin_bound, left_nx, left_ny)
+            EACH(KEEP_SINGLE, , left_nz, left_ex, left_ey, left_bend_s, left_bend_e, clock_error)
+            if (worklist->tightening) {
+                EACH(KEEP_SINGLE, , origin_s, origin_e, origin_u, origin_v, origin_w, origin_t)
+                EACH(KEEP_SINGLE, , product_11, product_12, product_13, product_14, product_15)
+                EACH(KEEP_SINGLE, , product_16, product_21, product_22, product_23, product_24)
+                EACH(KEEP_SINGLE, , product_25, product_26, product_31, product_32, product_33)
+                EACH(KEEP_SINGLE, , product_34, product_35, product_36, product_41, product_42)
+                EACH(KEEP_SINGLE, , product_43, product_44, product_45, product_46, product_51)
+                EACH(KEEP_SINGLE, , product_52, product_53, product_54, product_55, product_56)
+                EACH(KEEP_SINGLE, , product_61, product_62, product_63, product_64, product_65)
+                EACH(KEEP_SINGLE, , product_66, recent_s, recent_e, recent_u, recent_v, recent_w)
+                EACH(KEEP_SINGLE, , recent_t, continued)
+            }
+#endif
             if (job->varying)
                 for (int p = 0; p < HOOP_PARAMETERS; p++)
                     lanes_pack(worklist->parameters.columns[p] + kept, going, lanes_load(worklist->parameters.columns[p] + i));
@@ -830,6 +988,8 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
 #endif
 
 #if BOUNDED
+    const V tightening = K(0.0);
+    (void)tightening;
     const S clock_error = KS(0.0);
 #endif
     const V count_0 = K(0.0);
@@ -1083,12 +1243,19 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
 #endif
 
     const size_t varying = job->varying ? ~(size_t)0 : 0;
-    const int recording = job->results->events != NULL;
+    int recording = job->results->events != NULL;
     size_t begun = 0, end = 0, shots = 0;
     const int launching = !job->varying && !job->leaving && !recording;
     size_t paused = 0, pause = 0; /* no shot before this one is launched, after one that was refused */
+#if BOUNDED
+    V tightening = K(0.0);
+#endif
     int streams = 0; /* whether the shots before ended all at once: then those to come will, too */
 
+#if BOUNDED
+    worklist->loose_shots = 0;
+    worklist->tightening = 0;
+#endif
     if (job->shots == 0)
         return;
     for (int p = 0; p < HOOP_PARAMETERS; p++)
@@ -1100,7 +1267,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             return;
         if (begun == end && end < job->shots)
             begun = hoop_take(job, &end);
-        if (launching && shots == 0 && begun < end && begun >= paused) {
+        if (launching && shots == 0 && !HELD && begun < end && begun >= paused) {
             const size_t from = begun, past = end - from < LANES_LAUNCHED ? end : from + LANES_LAUNCHED;
             begun = LOOP(launch)(worklist, job, from, past);
             if (begun == past)
@@ -1108,13 +1275,26 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             pause = begun > from || pause == 0 ? 2 * LANES_SHOTS : 2 * pause;
             paused = begun + pause;
         }
-        int following = shots == 0;
+        int following = shots == 0 && !TIGHTENING;
         const size_t fresh = shots;
-        if (begun < end) {
+#if BOUNDED
+        if (worklist->tightening && worklist->loose_shots > 0)
+            shots += LOOP(begin_again)(worklist, shots, job);
+#endif
+        if (begun < end && !HELD) {
             const size_t room = LANES_SHOTS - shots, left = end - begun;
             shots += left < room ? left : room;
             LOOP(begin)(worklist, fresh, shots - fresh, job, begun);
             begun += shots - fresh;
+#if BOUNDED
+        }
+        if (shots == 0 && (worklist->tightening || worklist->loose_shots > 0)) {
+            /* The path of these is known: only bounds on errors, and what follows from them, are new. */
+            worklist->tightening = !worklist->tightening;
+            tightening = K(worklist->tightening ? 1.0 : 0.0);
+            recording = !worklist->tightening && job->results->events != NULL;
+            continue;
+#endif
         }
         if (shots == 0)
             return;
@@ -2075,24 +2255,89 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     CALL(hoop_clock_error_sum, _clock_error_sum_1)(belated, clock_error);
                     EACH(SELECT_SINGLE, (_if_ends_1, _clock_error_sum_1), clock_error)
                 }
+                CALL(hoop_tightens, _tightens_1)(tightening, touches);
+                EACH(GET_MASK, _tightens_1, carries, tightens)
+                const M _if_carries_1 = lanes_both(_if_meeting_1, carries);
+                if (LANES_USUAL(_if_carries_1)) {
+                    CALL(hoop_carry_impact, _carry_impact_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(wx), lanes_narrow(wy), lanes_narrow(wz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(clock), left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, lanes_narrow(normal_velocity), lanes_narrow(back), FIXED_SINGLE(33), FIXED_SINGLE(34), FIXED_SINGLE(0), FIXED_SINGLE(20), FIXED_SINGLE(35), FIXED_SINGLE(36), FIXED_SINGLE(37), FIXED_SINGLE(38), FIXED_SINGLE(39), FIXED_SINGLE(40));
+                    EACH(SELECT_SINGLE, (_if_carries_1, _carry_impact_1), place_n, place_s, place_e)
+                    EACH(SELECT_SINGLE, (_if_carries_1, _carry_impact_1), pace_n, pace_s, pace_e)
+                    EACH(SELECT_SINGLE, (_if_carries_1, _carry_impact_1), turn_n, turn_z)
+                    EACH(SELECT_SINGLE, (_if_carries_1, _carry_impact_1), position_bound)
+                    EACH(SELECT_SINGLE, (_if_carries_1, _carry_impact_1), velocity_bound)
+                    EACH(SELECT_SINGLE, (_if_carries_1, _carry_impact_1), spin_bound, left_nx)
+                    EACH(SELECT_SINGLE, (_if_carries_1, _carry_impact_1), left_ny, left_nz, left_ex)
+                    EACH(SELECT_SINGLE, (_if_carries_1, _carry_impact_1), left_ey, left_bend_s)
+                    EACH(SELECT_SINGLE, (_if_carries_1, _carry_impact_1), left_bend_e)
+                    S belated = _carry_impact_1.delay;
+                    CALL(hoop_clock_error_sum, _clock_error_sum_2)(belated, clock_error);
+                    EACH(SELECT_SINGLE, (_if_carries_1, _clock_error_sum_2), clock_error)
+                }
+                const M _if_tightens_1 = lanes_both(_if_meeting_1, tightens);
+                if (lanes_any(_if_tightens_1)) {
+                    EACH(LOAD_SINGLE, , continued, origin_e, origin_s, origin_t, origin_u, origin_v)
+                    EACH(LOAD_SINGLE, , origin_w, product_11, product_12, product_13, product_14)
+                    EACH(LOAD_SINGLE, , product_15, product_16, product_21, product_22, product_23)
+                    EACH(LOAD_SINGLE, , product_24, product_25, product_26, product_31, product_32)
+                    EACH(LOAD_SINGLE, , product_33, product_34, product_35, product_36, product_41)
+                    EACH(LOAD_SINGLE, , product_42, product_43, product_44, product_45, product_46)
+                    EACH(LOAD_SINGLE, , product_51, product_52, product_53, product_54, product_55)
+                    EACH(LOAD_SINGLE, , product_56, product_61, product_62, product_63, product_64)
+                    EACH(LOAD_SINGLE, , product_65, product_66, recent_e, recent_s, recent_t)
+                    EACH(LOAD_SINGLE, , recent_u, recent_v, recent_w)
+                    CALL(hoop_tighten_impact, _tighten_impact_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(wx), lanes_narrow(wy), lanes_narrow(wz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(clock), left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, lanes_narrow(normal_velocity), lanes_narrow(back), origin_s, origin_e, origin_u, origin_v, origin_w, origin_t, product_11, product_12, product_13, product_14, product_15, product_16, product_21, product_22, product_23, product_24, product_25, product_26, product_31, product_32, product_33, product_34, product_35, product_36, product_41, product_42, product_43, product_44, product_45, product_46, product_51, product_52, product_53, product_54, product_55, product_56, product_61, product_62, product_63, product_64, product_65, product_66, recent_s, recent_e, recent_u, recent_v, recent_w, recent_t, continued, FIXED_SINGLE(33), FIXED_SINGLE(34), FIXED_SINGLE(0), FIXED_SINGLE(20), FIXED_SINGLE(35), FIXED_SINGLE(36), FIXED_SINGLE(37), FIXED_SINGLE(38), FIXED_SINGLE(39), FIXED_SINGLE(40));
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), place_n, place_s)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), place_e, pace_n)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), pace_s, pace_e, turn_n)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), turn_z, position_bound)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), velocity_bound)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), spin_bound, left_nx)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), left_ny, left_nz)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), left_ex, left_ey)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), left_bend_s)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), left_bend_e)
+                    S belated = _tighten_impact_1.delay;
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), origin_s, origin_e)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), origin_u, origin_v)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), origin_w, origin_t)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), recent_s, recent_e)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), recent_u, recent_v)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), recent_w, recent_t)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_11, product_12)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_13, product_14)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_15, product_16)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_21, product_22)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_23, product_24)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_25, product_26)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_31, product_32)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_33, product_34)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_35, product_36)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_41, product_42)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_43, product_44)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_45, product_46)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_51, product_52)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_53, product_54)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_55, product_56)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_61, product_62)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_63, product_64)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), product_65, product_66)
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _tighten_impact_1), continued)
+                    CALL(hoop_clock_error_sum, _clock_error_sum_3)(belated, clock_error);
+                    EACH(SELECT_SINGLE, (_if_tightens_1, _clock_error_sum_3), clock_error)
+                    EACH(STORE_SINGLE, , continued, origin_e, origin_s, origin_t, origin_u)
+                    EACH(STORE_SINGLE, , origin_v, origin_w, product_11, product_12, product_13)
+                    EACH(STORE_SINGLE, , product_14, product_15, product_16, product_21, product_22)
+                    EACH(STORE_SINGLE, , product_23, product_24, product_25, product_26, product_31)
+                    EACH(STORE_SINGLE, , product_32, product_33, product_34, product_35, product_36)
+                    EACH(STORE_SINGLE, , product_41, product_42, product_43, product_44, product_45)
+                    EACH(STORE_SINGLE, , product_46, product_51, product_52, product_53, product_54)
+                    EACH(STORE_SINGLE, , product_55, product_56, product_61, product_62, product_63)
+                    EACH(STORE_SINGLE, , product_64, product_65, product_66, recent_e, recent_s)
+                    EACH(STORE_SINGLE, , recent_t, recent_u, recent_v, recent_w)
+                }
 #endif
                 const M _if_touches_1 = lanes_both(_if_meeting_1, touches);
                 if (LANES_USUAL(_if_touches_1)) {
-#if BOUNDED
-                    CALL(hoop_carry_impact, _carry_impact_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(wx), lanes_narrow(wy), lanes_narrow(wz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(clock), left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, lanes_narrow(normal_velocity), lanes_narrow(back), FIXED_SINGLE(33), FIXED_SINGLE(34), FIXED_SINGLE(0), FIXED_SINGLE(20), FIXED_SINGLE(35), FIXED_SINGLE(36), FIXED_SINGLE(37), FIXED_SINGLE(38), FIXED_SINGLE(39), FIXED_SINGLE(40));
-                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), place_n, place_s, place_e)
-                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), pace_n, pace_s, pace_e)
-                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), turn_n, turn_z)
-                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), position_bound)
-                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), velocity_bound)
-                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), spin_bound, left_nx)
-                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), left_ny, left_nz, left_ex)
-                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), left_ey, left_bend_s)
-                    EACH(SELECT_SINGLE, (_if_touches_1, _carry_impact_1), left_bend_e)
-                    S belated = _carry_impact_1.delay;
-                    CALL(hoop_clock_error_sum, _clock_error_sum_2)(belated, clock_error);
-                    EACH(SELECT_SINGLE, (_if_touches_1, _clock_error_sum_2), clock_error)
-#endif
                     CALL(hoop_impact, _impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, FIXED(55), FIXED(56), FIXED(57));
                     EACH(SELECT, (_if_touches_1, _impact_1), vx, vy, vz, wx, wy, wz)
                 }
@@ -2213,6 +2458,10 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
         for (size_t i = 0; i < shots; i += LANES_WIDTH)
             going = lanes_either(going, lanes_both(mask_first_n(shots - i), lanes_less(lanes_load(worklist->outcome + i), K(0.0))));
         if (following && !lanes_any(going)) {
+#if BOUNDED
+            for (size_t i = 0; i < shots; i += LANES_WIDTH)
+                LOOP(review)(worklist, i, mask_first_n(shots - i));
+#endif
             LOOP(finish_all)(worklist, shots, job);
             shots = 0;
             streams = 1;

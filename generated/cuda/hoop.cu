@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation f126937a0127ad50,
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation 394a5522f97c63e8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -836,6 +836,17 @@ static __device__ __forceinline__ kernel_without_bounds_out kernel_without_bound
     return {choose(unbounded, 1.0, uncertain)};
 }
 
+/* How the bounds on errors are carried over a contact.
+   Table 1. 4 operations: 2 comparisons, 2 conjunctions. */
+struct kernel_tightens_out {
+    bool carries, tightens;
+};
+
+static __device__ __forceinline__ kernel_tightens_out kernel_tightens(double tightening, bool touches)
+{
+    return {touches && (tightening <= 0.0), touches && (0.0 < tightening)};
+}
+
 /* 1 if the flight began on the surface that the ball meets.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 struct kernel_came_back_out {
@@ -890,6 +901,17 @@ static __device__ __forceinline__ kernel_admitted_out kernel_admitted(double und
 {
     const bool _s0 = permitted && in_range;
     return {choose((_s0 && (0.0 < valid)), -1.0, 4.0), choose((_s0 && (0.0 < undecided_time)), 1.0, 0.0)};
+}
+
+/* Whether a shot that has ended may be certain with tighter bounds: it is not capped.
+   Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 complement. */
+struct kernel_loose_out {
+    bool loose;
+};
+
+static __device__ __forceinline__ kernel_loose_out kernel_loose(double contacts, double outcome, double uncertain)
+{
+    return {((0.0 < uncertain) && (0.0 < contacts)) && (!(outcome == 2.0))};
 }
 
 /* The time limit as an arrival.
@@ -1002,6 +1024,361 @@ static __device__ __forceinline__ kernel_plane_start_out kernel_plane_start(doub
     return {_s1};
 }
 
+/* The same, through the product of derivatives since an earlier contact.
+   derivative of the frame-free Eq. 17, with roundings. 1610 operations: 503 additions, 71 subtractions, 767 multiplications, 7 divisions, 43 negations, 129 absolute values, 16 comparisons, 74 selections. */
+struct kernel_tighten_impact_out {
+    float place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay, origin_s, origin_e, origin_u, origin_v, origin_w, origin_t, recent_s, recent_e, recent_u, recent_v, recent_w, recent_t, product_11, product_12, product_13, product_14, product_15, product_16, product_21, product_22, product_23, product_24, product_25, product_26, product_31, product_32, product_33, product_34, product_35, product_36, product_41, product_42, product_43, product_44, product_45, product_46, product_51, product_52, product_53, product_54, product_55, product_56, product_61, product_62, product_63, product_64, product_65, product_66, continued;
+};
+
+static __device__ __forceinline__ kernel_tighten_impact_out kernel_tighten_impact(float t, float x, float y, float z, float vx, float vy, float vz, float wx, float wy, float wz, float nx, float ny, float nz, float clock, float left_nx, float left_ny, float left_nz, float place_n, float place_s, float place_e, float pace_n, float pace_s, float pace_e, float turn_n, float turn_z, float position_bound, float velocity_bound, float spin_bound, float tangent_x, float tangent_y, float bend_s, float bend_e, float left_ex, float left_ey, float left_bend_s, float left_bend_e, float sharpest_bend, float root_offset, float root_level, float normal_rounding, float normal_velocity, float back, float origin_s, float origin_e, float origin_u, float origin_v, float origin_w, float origin_t, float product_11, float product_12, float product_13, float product_14, float product_15, float product_16, float product_21, float product_22, float product_23, float product_24, float product_25, float product_26, float product_31, float product_32, float product_33, float product_34, float product_35, float product_36, float product_41, float product_42, float product_43, float product_44, float product_45, float product_46, float product_51, float product_52, float product_53, float product_54, float product_55, float product_56, float product_61, float product_62, float product_63, float product_64, float product_65, float product_66, float recent_s, float recent_e, float recent_u, float recent_v, float recent_w, float recent_t, float continued, float p_ball_radius, float p_restitution, float p_gravity)
+{
+    const float _s0 = -(p_gravity * nz);
+    const float _s1 = fabsf(vx);
+    const float _s2 = ((float)2.0) * t;
+    const float _s3 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s2 * _s1) + fabsf(x)));
+    const float _s4 = fabsf(vy);
+    const float _s5 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s2 * _s4) + fabsf(y)));
+    const float _s6 = ((float)0.5) * p_gravity;
+    const float _s7 = ((_s6 * (t * t)) + (_s2 * fabsf((vz + (_s6 * t))))) + fabsf(z);
+    const float _s8 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s7);
+    const float _s9 = ((position_bound + (t * velocity_bound)) + ((_s3 + _s5) + _s8)) + larger(root_offset, root_level);
+    const float _s10 = ((nx * left_nx) + (ny * left_ny)) + (nz * left_nz);
+    const float _s11 = _s10 - back;
+    const float _s12 = left_nz * left_ey;
+    const float _s13 = -(left_nz * left_ex);
+    const float _s14 = p_gravity * t;
+    const float _s15 = vz + _s14;
+    const float _s16 = (left_ny * left_ex) - (left_nx * left_ey);
+    const float _s17 = ((vx * _s12) + (vy * _s13)) + (_s15 * _s16);
+    const float _s18 = -(left_bend_s * _s17);
+    const float _s19 = t * _s18;
+    const float _s20 = ((vx * left_nx) + (vy * left_ny)) + (left_nz * _s15);
+    const float _s21 = left_bend_s * _s20;
+    const float _s22 = ((float)1.0) + (t * _s21);
+    const float _s23 = ((nx * _s12) + (ny * _s13)) + (nz * _s16);
+    const float _s24 = (_s19 * _s10) + (_s22 * _s23);
+    const float _s25 = (vx * left_ex) + (vy * left_ey);
+    const float _s26 = left_nz * left_bend_e;
+    const float _s27 = -(_s26 * _s25);
+    const float _s28 = t * _s27;
+    const float _s29 = (left_bend_e * _s25) * _s16;
+    const float _s30 = t * _s29;
+    const float _s31 = left_bend_e * ((left_nz * _s17) - (_s16 * _s20));
+    const float _s32 = ((float)1.0) + (t * _s31);
+    const float _s33 = (nx * left_ex) + (ny * left_ey);
+    const float _s34 = ((_s28 * _s23) + (_s30 * _s10)) + (_s32 * _s33);
+    const float _s35 = t * _s10;
+    const float _s36 = t * _s23;
+    const float _s37 = ((((place_n * fabsf(_s11)) + (place_s * fabsf(_s24))) + (place_e * fabsf(_s34))) + (pace_n * fabsf(_s35))) + (pace_s * fabsf(_s36));
+    const float _s38 = t * _s33;
+    const float _s39 = _s14 * ((place_s * left_bend_s) + (place_e * left_bend_e));
+    const float _s40 = ((float)1.9073486328125e-06) * ((t * _s39) + _s9);
+    const float _s41 = ((root_offset + ((((float)1.02) * (sharpest_bend * _s9)) * _s9)) + (_s37 + (pace_e * fabsf(_s38)))) + _s40;
+    const float _s42 = fabsf(normal_velocity);
+    const float _s43 = (((float)1.1) * _s41) / _s42;
+    const float _s44 = fabsf(vz);
+    const float _s45 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (((_s14 + _s1) + _s4) + _s44));
+    const float _s46 = velocity_bound + _s45;
+    const float _s47 = (p_gravity * _s43) + _s46;
+    const float _s48 = (_s1 + _s4) + _s44;
+    const float _s49 = _s47 + _s48;
+    const float _s50 = (_s43 * _s49) + _s9;
+    const float _s51 = ((float)1.02) * sharpest_bend;
+    const float _s52 = _s51 * _s50;
+    const float _s53 = (((float)12.0) * (((fabsf(_s0) * _s43) + (_s52 * _s49)) + _s46)) - _s42;
+    const float _s54 = (((float)100.0) * (sharpest_bend * _s50)) - ((float)1.0);
+    const float _s55 = larger(_s53, _s54);
+    const float _s56 = (_s6 * (_s43 * _s43)) + (_s43 * _s46);
+    const float _s57 = ((_s52 * _s50) + _s56) / _s42;
+    const float _s58 = (_s57 * _s48) + _s56;
+    const float _s59 = (root_level + _s58) + (((fabsf(nx) * _s3) + (fabsf(ny) * _s5)) + (fabsf(nz) * _s8));
+    const float _s60 = bend_s * _s59;
+    const float _s61 = (((float)4194304.0) * ((place_n * left_bend_s) + _s60)) - ((float)1.0);
+    const float _s62 = ((float)1.0009765625) * _s59;
+    const bool _s63 = larger(_s55, _s61) <= ((float)0.0);
+    const float _s64 = ((float)1.0) / normal_velocity;
+    const float _s65 = -(_s64 * _s38);
+    const float _s66 = nz * tangent_y;
+    const float _s67 = -(nz * tangent_x);
+    const float _s68 = (ny * tangent_x) - (nx * tangent_y);
+    const float _s69 = ((vx * _s66) + (vy * _s67)) + (vz * _s68);
+    const float _s70 = (left_ex * _s66) + (left_ey * _s67);
+    const float _s71 = (_s65 * _s69) + (t * _s70);
+    const bool _s72 = ((float)0.0) < continued;
+    const float _s73 = choose(_s72, product_51, ((float)0.0));
+    const float _s74 = -(_s64 * _s35);
+    const float _s75 = ((left_nx * _s66) + (left_ny * _s67)) + (left_nz * _s68);
+    const float _s76 = (_s74 * _s69) + (t * _s75);
+    const float _s77 = choose(_s72, product_31, ((float)0.0));
+    const float _s78 = -(_s64 * _s36);
+    const float _s79 = ((_s67 * _s13) + (_s66 * _s12)) + (_s68 * _s16);
+    const float _s80 = (_s78 * _s69) + (t * _s79);
+    const float _s81 = choose(_s72, product_41, ((float)0.0));
+    const float _s82 = -(_s64 * _s24);
+    const float _s83 = (_s82 * _s69) + ((_s19 * _s75) + (_s22 * _s79));
+    const float _s84 = choose(_s72, product_11, ((float)1.0));
+    const float _s85 = -(_s64 * _s34);
+    const float _s86 = (_s85 * _s69) + (((_s28 * _s79) + (_s30 * _s75)) + (_s32 * _s70));
+    const float _s87 = choose(_s72, product_21, ((float)0.0));
+    const float _s88 = ((((_s71 * _s73) + (_s76 * _s77)) + (_s80 * _s81)) + (_s83 * _s84)) + (_s86 * _s87);
+    const float _s89 = choose(_s72, origin_s, place_s);
+    const float _s90 = choose(_s72, product_52, ((float)0.0));
+    const float _s91 = choose(_s72, product_32, ((float)0.0));
+    const float _s92 = choose(_s72, product_42, ((float)0.0));
+    const float _s93 = choose(_s72, product_12, ((float)0.0));
+    const float _s94 = choose(_s72, product_22, ((float)1.0));
+    const float _s95 = ((((_s71 * _s90) + (_s76 * _s91)) + (_s80 * _s92)) + (_s83 * _s93)) + (_s86 * _s94);
+    const float _s96 = choose(_s72, origin_e, place_e);
+    const float _s97 = choose(_s72, product_53, ((float)0.0));
+    const float _s98 = choose(_s72, product_33, ((float)1.0));
+    const float _s99 = choose(_s72, product_43, ((float)0.0));
+    const float _s100 = choose(_s72, product_13, ((float)0.0));
+    const float _s101 = choose(_s72, product_23, ((float)0.0));
+    const float _s102 = ((((_s71 * _s97) + (_s76 * _s98)) + (_s80 * _s99)) + (_s83 * _s100)) + (_s86 * _s101);
+    const float _s103 = choose(_s72, origin_u, pace_n);
+    const float _s104 = choose(_s72, product_54, ((float)0.0));
+    const float _s105 = choose(_s72, product_34, ((float)0.0));
+    const float _s106 = choose(_s72, product_44, ((float)1.0));
+    const float _s107 = choose(_s72, product_14, ((float)0.0));
+    const float _s108 = choose(_s72, product_24, ((float)0.0));
+    const float _s109 = ((((_s71 * _s104) + (_s76 * _s105)) + (_s80 * _s106)) + (_s83 * _s107)) + (_s86 * _s108);
+    const float _s110 = choose(_s72, origin_v, pace_s);
+    const float _s111 = choose(_s72, product_55, ((float)1.0));
+    const float _s112 = choose(_s72, product_35, ((float)0.0));
+    const float _s113 = choose(_s72, product_45, ((float)0.0));
+    const float _s114 = choose(_s72, product_15, ((float)0.0));
+    const float _s115 = choose(_s72, product_25, ((float)0.0));
+    const float _s116 = ((((_s71 * _s111) + (_s76 * _s112)) + (_s80 * _s113)) + (_s83 * _s114)) + (_s86 * _s115);
+    const float _s117 = choose(_s72, origin_w, pace_e);
+    const float _s118 = ((((fabsf(_s88) * _s89) + (fabsf(_s95) * _s96)) + (fabsf(_s102) * _s103)) + (fabsf(_s109) * _s110)) + (fabsf(_s116) * _s117);
+    const float _s119 = choose(_s72, product_56, ((float)0.0));
+    const float _s120 = choose(_s72, product_36, ((float)0.0));
+    const float _s121 = choose(_s72, product_46, ((float)0.0));
+    const float _s122 = choose(_s72, product_16, ((float)0.0));
+    const float _s123 = choose(_s72, product_26, ((float)0.0));
+    const float _s124 = ((((_s71 * _s119) + (_s76 * _s120)) + (_s80 * _s121)) + (_s83 * _s122)) + (_s86 * _s123);
+    const float _s125 = choose(_s72, origin_t, turn_n);
+    const float _s126 = _s118 + (fabsf(_s124) * _s125);
+    const float _s127 = fabsf(_s69);
+    const float _s128 = (root_offset + _s40) / _s42;
+    const float _s129 = (_s127 * _s128) + (((fabsf(_s67) * _s5) + (fabsf(_s66) * _s3)) + (fabsf(_s68) * _s8));
+    const float _s130 = (_s58 + (((float)1.9073486328125e-06) * _s50)) + _s40;
+    const float _s131 = -(_s64 * _s11);
+    const float _s132 = (_s131 * _s69) + _s75;
+    const float _s133 = (((float)9.5367431640625e-07) * pace_e) + choose(_s72, recent_w, ((float)0.0));
+    const float _s134 = (((float)9.5367431640625e-07) * pace_n) + choose(_s72, recent_u, ((float)0.0));
+    const float _s135 = (((float)9.5367431640625e-07) * pace_s) + choose(_s72, recent_v, ((float)0.0));
+    const float _s136 = (((float)9.5367431640625e-07) * place_s) + choose(_s72, recent_s, ((float)0.0));
+    const float _s137 = ((((place_n * fabsf(_s132)) + (fabsf(_s71) * _s133)) + (fabsf(_s76) * _s134)) + (fabsf(_s80) * _s135)) + (fabsf(_s83) * _s136);
+    const float _s138 = (((float)9.5367431640625e-07) * place_e) + choose(_s72, recent_e, ((float)0.0));
+    const float _s139 = ((float)1.0009765625) * ((_s129 + _s130) + (_s137 + (fabsf(_s86) * _s138)));
+    const float _s140 = ((float)1.0009765625) * (_s126 + _s139);
+    const float _s141 = (vx * tangent_x) + (vy * tangent_y);
+    const float _s142 = (tangent_x * left_ex) + (tangent_y * left_ey);
+    const float _s143 = (_s65 * _s141) + (t * _s142);
+    const float _s144 = (left_nx * tangent_x) + (left_ny * tangent_y);
+    const float _s145 = (_s74 * _s141) + (t * _s144);
+    const float _s146 = (tangent_x * _s12) + (tangent_y * _s13);
+    const float _s147 = (_s78 * _s141) + (t * _s146);
+    const float _s148 = (_s82 * _s141) + ((_s19 * _s144) + (_s22 * _s146));
+    const float _s149 = (_s85 * _s141) + (((_s28 * _s146) + (_s30 * _s144)) + (_s32 * _s142));
+    const float _s150 = ((((_s143 * _s73) + (_s145 * _s77)) + (_s147 * _s81)) + (_s148 * _s84)) + (_s149 * _s87);
+    const float _s151 = ((((_s143 * _s90) + (_s145 * _s91)) + (_s147 * _s92)) + (_s148 * _s93)) + (_s149 * _s94);
+    const float _s152 = ((((_s143 * _s97) + (_s145 * _s98)) + (_s147 * _s99)) + (_s148 * _s100)) + (_s149 * _s101);
+    const float _s153 = ((((_s143 * _s104) + (_s145 * _s105)) + (_s147 * _s106)) + (_s148 * _s107)) + (_s149 * _s108);
+    const float _s154 = ((((_s143 * _s111) + (_s145 * _s112)) + (_s147 * _s113)) + (_s148 * _s114)) + (_s149 * _s115);
+    const float _s155 = ((((fabsf(_s150) * _s89) + (fabsf(_s151) * _s96)) + (fabsf(_s152) * _s103)) + (fabsf(_s153) * _s110)) + (fabsf(_s154) * _s117);
+    const float _s156 = ((((_s143 * _s119) + (_s145 * _s120)) + (_s147 * _s121)) + (_s148 * _s122)) + (_s149 * _s123);
+    const float _s157 = _s155 + (fabsf(_s156) * _s125);
+    const float _s158 = fabsf(_s141);
+    const float _s159 = fabsf(((float)0.0));
+    const float _s160 = (_s158 * _s128) + (((_s159 * _s8) + (fabsf(tangent_x) * _s3)) + (fabsf(tangent_y) * _s5));
+    const float _s161 = (_s131 * _s141) + _s144;
+    const float _s162 = ((((place_n * fabsf(_s161)) + (fabsf(_s143) * _s133)) + (fabsf(_s145) * _s134)) + (fabsf(_s147) * _s135)) + (fabsf(_s148) * _s136);
+    const float _s163 = ((float)1.0009765625) * ((_s160 + _s130) + (_s162 + (fabsf(_s149) * _s138)));
+    const float _s164 = ((float)1.0009765625) * (_s157 + _s163);
+    const float _s165 = -(bend_s * _s69);
+    const float _s166 = bend_e * _s68;
+    const float _s167 = _s166 * _s141;
+    const float _s168 = -(p_restitution * ((((_s0 * _s65) + _s33) - (_s165 * _s71)) - (_s167 * _s143)));
+    const float _s169 = -(p_restitution * ((((_s0 * _s74) + _s10) - (_s165 * _s76)) - (_s167 * _s145)));
+    const float _s170 = -(p_restitution * ((((_s0 * _s78) + _s23) - (_s165 * _s80)) - (_s167 * _s147)));
+    const float _s171 = p_restitution * ((((_s0 * _s82) + ((_s21 * _s23) + (_s18 * _s10))) - (_s165 * _s83)) - (_s167 * _s148));
+    const float _s172 = -_s171;
+    const float _s173 = (((_s0 * _s85) + (((_s31 * _s33) + (_s27 * _s23)) + (_s29 * _s10))) - (_s165 * _s86)) - (_s167 * _s149);
+    const float _s174 = -(p_restitution * _s173);
+    const float _s175 = ((((_s168 * _s73) + (_s169 * _s77)) + (_s170 * _s81)) + (_s172 * _s84)) + (_s174 * _s87);
+    const float _s176 = ((((_s168 * _s90) + (_s169 * _s91)) + (_s170 * _s92)) + (_s172 * _s93)) + (_s174 * _s94);
+    const float _s177 = ((((_s168 * _s97) + (_s169 * _s98)) + (_s170 * _s99)) + (_s172 * _s100)) + (_s174 * _s101);
+    const float _s178 = ((((_s168 * _s104) + (_s169 * _s105)) + (_s170 * _s106)) + (_s172 * _s107)) + (_s174 * _s108);
+    const float _s179 = ((((_s168 * _s111) + (_s169 * _s112)) + (_s170 * _s113)) + (_s172 * _s114)) + (_s174 * _s115);
+    const float _s180 = ((((fabsf(_s175) * _s89) + (fabsf(_s176) * _s96)) + (fabsf(_s177) * _s103)) + (fabsf(_s178) * _s110)) + (fabsf(_s179) * _s117);
+    const float _s181 = ((((_s168 * _s119) + (_s169 * _s120)) + (_s170 * _s121)) + (_s172 * _s122)) + (_s174 * _s123);
+    const float _s182 = _s180 + (fabsf(_s181) * _s125);
+    const float _s183 = (p_gravity * _s128) + _s45;
+    const float _s184 = _s183 + ((fabsf(_s165) * _s129) + (fabsf(_s167) * _s160));
+    const float _s185 = ((float)0.6) + p_restitution;
+    const float _s186 = ((float)0.4) * p_ball_radius;
+    const float _s187 = normal_rounding + _s60;
+    const float _s188 = (fabsf(wx) + fabsf(wy)) + fabsf(wz);
+    const float _s189 = (_s186 * _s187) * _s188;
+    const float _s190 = p_ball_radius * _s188;
+    const float _s191 = _s190 + _s48;
+    const float _s192 = ((float)7.888609052210118e-31) + (((float)1.5543122344752192e-15) * _s191);
+    const float _s193 = p_gravity * _s57;
+    const float _s194 = ((float)2.0) * _s185;
+    const float _s195 = (bend_s + bend_e) * _s130;
+    const float _s196 = _s52 * _s52;
+    const float _s197 = (_s51 * _s58) + (((float)2.0) * _s196);
+    const float _s198 = ((_s193 + (_s52 * ((spin_bound * _s186) + (_s194 * _s47)))) + (_s195 * _s191)) + (_s197 * ((_s186 * _s188) + (_s194 * _s48)));
+    const float _s199 = ((float)1.9073486328125e-06) * (((p_ball_radius * spin_bound) + (_s52 * (_s190 + (((float)4.0) * _s48)))) + (((float)2.0) * (_s39 + _s47)));
+    const float _s200 = (_s198 + ((_s196 * _s185) * _s49)) + _s199;
+    const float _s201 = ((p_restitution * _s184) + (_s185 * ((normal_rounding * (_s48 + _s42)) + ((((float)2.0) * _s60) * _s42)))) + ((_s189 + _s192) + _s200);
+    const float _s202 = fabsf((-(p_restitution * (((_s0 * _s131) - (_s165 * _s132)) - (_s167 * _s161)))));
+    const float _s203 = ((((place_n * _s202) + (fabsf(_s168) * _s133)) + (fabsf(_s169) * _s134)) + (fabsf(_s170) * _s135)) + (fabsf(_s172) * _s136);
+    const float _s204 = ((float)1.0009765625) * (_s201 + (_s203 + (fabsf(_s174) * _s138)));
+    const float _s205 = ((float)1.0009765625) * (_s182 + _s204);
+    const float _s206 = _s186 * _s144;
+    const float _s207 = choose(_s72, product_61, ((float)0.0));
+    const float _s208 = ((wx * _s66) + (wy * _s67)) + (wz * _s68);
+    const float _s209 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const float _s210 = _s68 * _s209;
+    const float _s211 = bend_e * ((nz * _s208) - _s210);
+    const float _s212 = -(p_gravity * _s68);
+    const float _s213 = bend_s * normal_velocity;
+    const float _s214 = nz * bend_e;
+    const float _s215 = -(_s214 * _s141);
+    const float _s216 = (_s186 * (-(_s211 * _s145))) + (((float)0.6) * ((((_s212 * _s74) + _s75) - (_s213 * _s76)) - (_s215 * _s145)));
+    const float _s217 = ((float)1.0) / p_ball_radius;
+    const float _s218 = (_s186 * ((-(_s217 * _s146)) - (_s211 * _s143))) + (((float)0.6) * ((((_s212 * _s65) + _s70) - (_s213 * _s71)) - (_s215 * _s143)));
+    const float _s219 = (_s186 * ((_s217 * _s142) - (_s211 * _s147))) + (((float)0.6) * ((((_s212 * _s78) + _s79) - (_s213 * _s80)) - (_s215 * _s147)));
+    const float _s220 = ((wx * left_nx) + (wy * left_ny)) + (wz * left_nz);
+    const float _s221 = left_bend_s * _s220;
+    const float _s222 = ((wx * _s12) + (wy * _s13)) + (wz * _s16);
+    const float _s223 = -(left_bend_s * _s222);
+    const float _s224 = ((float)0.6) * ((((_s212 * _s82) + ((_s21 * _s79) + (_s18 * _s75))) - (_s213 * _s83)) - (_s215 * _s148));
+    const float _s225 = (_s186 * (((_s221 * _s146) + (_s223 * _s144)) - (_s211 * _s148))) + _s224;
+    const float _s226 = left_bend_e * ((left_nz * _s222) - (_s16 * _s220));
+    const float _s227 = (wx * left_ex) + (wy * left_ey);
+    const float _s228 = -(_s26 * _s227);
+    const float _s229 = (left_bend_e * _s227) * _s16;
+    const float _s230 = (((_s212 * _s85) + (((_s31 * _s70) + (_s27 * _s79)) + (_s29 * _s75))) - (_s213 * _s86)) - (_s215 * _s149);
+    const float _s231 = (_s186 * ((((_s226 * _s142) + (_s228 * _s146)) + (_s229 * _s144)) - (_s211 * _s149))) + (((float)0.6) * _s230);
+    const float _s232 = (((((_s206 * _s207) + (_s216 * _s77)) + (_s218 * _s73)) + (_s219 * _s81)) + (_s225 * _s84)) + (_s231 * _s87);
+    const float _s233 = choose(_s72, product_62, ((float)0.0));
+    const float _s234 = (((((_s206 * _s233) + (_s216 * _s91)) + (_s218 * _s90)) + (_s219 * _s92)) + (_s225 * _s93)) + (_s231 * _s94);
+    const float _s235 = choose(_s72, product_63, ((float)0.0));
+    const float _s236 = (((((_s206 * _s235) + (_s216 * _s98)) + (_s218 * _s97)) + (_s219 * _s99)) + (_s225 * _s100)) + (_s231 * _s101);
+    const float _s237 = choose(_s72, product_64, ((float)0.0));
+    const float _s238 = (((((_s206 * _s237) + (_s216 * _s105)) + (_s218 * _s104)) + (_s219 * _s106)) + (_s225 * _s107)) + (_s231 * _s108);
+    const float _s239 = choose(_s72, product_65, ((float)0.0));
+    const float _s240 = (((((_s206 * _s239) + (_s216 * _s112)) + (_s218 * _s111)) + (_s219 * _s113)) + (_s225 * _s114)) + (_s231 * _s115);
+    const float _s241 = ((((fabsf(_s232) * _s89) + (fabsf(_s234) * _s96)) + (fabsf(_s236) * _s103)) + (fabsf(_s238) * _s110)) + (fabsf(_s240) * _s117);
+    const float _s242 = choose(_s72, product_66, ((float)1.0));
+    const float _s243 = (((((_s206 * _s242) + (_s216 * _s120)) + (_s218 * _s119)) + (_s219 * _s121)) + (_s225 * _s122)) + (_s231 * _s123);
+    const float _s244 = _s241 + (fabsf(_s243) * _s125);
+    const float _s245 = _s159 * _s129;
+    const float _s246 = _s245 + (fabsf(_s211) * _s160);
+    const float _s247 = _s183 + ((fabsf(_s213) * _s129) + (fabsf(_s215) * _s160));
+    const float _s248 = ((((normal_rounding * _s185) * _s42) + _s189) + _s192) + _s200;
+    const float _s249 = fabsf(((_s186 * (-(_s211 * _s161))) + (((float)0.6) * (((_s212 * _s131) - (_s213 * _s132)) - (_s215 * _s161)))));
+    const float _s250 = (((float)9.5367431640625e-07) * turn_n) + choose(_s72, recent_t, ((float)0.0));
+    const float _s251 = (((place_n * _s249) + (turn_z * fabsf((_s186 * _s142)))) + (turn_z * fabsf((_s186 * _s146)))) + (fabsf(_s206) * _s250);
+    const float _s252 = (((_s251 + (fabsf(_s216) * _s134)) + (fabsf(_s218) * _s133)) + (fabsf(_s219) * _s135)) + (fabsf(_s225) * _s136);
+    const float _s253 = ((float)1.0009765625) * ((((_s186 * _s246) + (((float)0.6) * _s247)) + _s248) + (_s252 + (fabsf(_s231) * _s138)));
+    const float _s254 = ((float)1.0009765625) * (_s244 + _s253);
+    const float _s255 = -(_s186 * _s75);
+    const float _s256 = bend_e * ((nz * _s69) - (normal_velocity * _s68));
+    const float _s257 = bend_s * _s209;
+    const float _s258 = (wx * tangent_x) + (wy * tangent_y);
+    const float _s259 = -(_s214 * _s258);
+    const float _s260 = (((float)0.6) * (_s144 - (_s256 * _s145))) - (_s186 * (-((_s257 * _s76) + (_s259 * _s145))));
+    const float _s261 = (((float)0.6) * (_s142 - (_s256 * _s143))) - (_s186 * (((-(_s217 * _s79)) - (_s257 * _s71)) - (_s259 * _s143)));
+    const float _s262 = (((float)0.6) * (_s146 - (_s256 * _s147))) - (_s186 * (((_s217 * _s70) - (_s257 * _s80)) - (_s259 * _s147)));
+    const float _s263 = (((float)0.6) * (((_s21 * _s146) + (_s18 * _s144)) - (_s256 * _s148))) - (_s186 * ((((_s221 * _s79) + (_s223 * _s75)) - (_s257 * _s83)) - (_s259 * _s148)));
+    const float _s264 = _s186 * (((((_s226 * _s70) + (_s228 * _s79)) + (_s229 * _s75)) - (_s257 * _s86)) - (_s259 * _s149));
+    const float _s265 = (((float)0.6) * ((((_s31 * _s142) + (_s27 * _s146)) + (_s29 * _s144)) - (_s256 * _s149))) - _s264;
+    const float _s266 = (((((_s255 * _s207) + (_s260 * _s77)) + (_s261 * _s73)) + (_s262 * _s81)) + (_s263 * _s84)) + (_s265 * _s87);
+    const float _s267 = (((((_s255 * _s233) + (_s260 * _s91)) + (_s261 * _s90)) + (_s262 * _s92)) + (_s263 * _s93)) + (_s265 * _s94);
+    const float _s268 = (((((_s255 * _s235) + (_s260 * _s98)) + (_s261 * _s97)) + (_s262 * _s99)) + (_s263 * _s100)) + (_s265 * _s101);
+    const float _s269 = (((((_s255 * _s237) + (_s260 * _s105)) + (_s261 * _s104)) + (_s262 * _s106)) + (_s263 * _s107)) + (_s265 * _s108);
+    const float _s270 = (((((_s255 * _s239) + (_s260 * _s112)) + (_s261 * _s111)) + (_s262 * _s113)) + (_s263 * _s114)) + (_s265 * _s115);
+    const float _s271 = ((((fabsf(_s266) * _s89) + (fabsf(_s267) * _s96)) + (fabsf(_s268) * _s103)) + (fabsf(_s269) * _s110)) + (fabsf(_s270) * _s117);
+    const float _s272 = (((((_s255 * _s242) + (_s260 * _s120)) + (_s261 * _s119)) + (_s262 * _s121)) + (_s263 * _s122)) + (_s265 * _s123);
+    const float _s273 = _s271 + (fabsf(_s272) * _s125);
+    const float _s274 = fabsf(_s257);
+    const float _s275 = (_s274 * _s129) + (fabsf(_s259) * _s160);
+    const float _s276 = _s183 + (_s245 + (fabsf(_s256) * _s160));
+    const float _s277 = fabsf(((((float)0.6) * (-(_s256 * _s161))) - (_s186 * (-((_s257 * _s132) + (_s259 * _s161))))));
+    const float _s278 = ((place_n * _s277) + (turn_z * fabsf((-(_s186 * _s70))))) + (turn_z * fabsf((-(_s186 * _s79))));
+    const float _s279 = (((_s278 + (fabsf(_s255) * _s250)) + (fabsf(_s260) * _s134)) + (fabsf(_s261) * _s133)) + (fabsf(_s262) * _s135);
+    const float _s280 = ((float)1.0009765625) * ((((_s186 * _s275) + (((float)0.6) * _s276)) + _s248) + ((_s279 + (fabsf(_s263) * _s136)) + (fabsf(_s265) * _s138)));
+    const float _s281 = ((float)1.0009765625) * (_s273 + _s280);
+    const float _s282 = -(bend_s * _s208);
+    const float _s283 = _s166 * _s258;
+    const float _s284 = -((_s282 * _s76) + (_s283 * _s145));
+    const float _s285 = ((-(_s217 * _s23)) - (_s282 * _s71)) - (_s283 * _s143);
+    const float _s286 = ((_s217 * _s33) - (_s282 * _s80)) - (_s283 * _s147);
+    const float _s287 = (((_s221 * _s23) + (_s223 * _s10)) - (_s282 * _s83)) - (_s283 * _s148);
+    const float _s288 = ((((_s226 * _s33) + (_s228 * _s23)) + (_s229 * _s10)) - (_s282 * _s86)) - (_s283 * _s149);
+    const float _s289 = (((((_s284 * _s77) + (_s10 * _s207)) + (_s285 * _s73)) + (_s286 * _s81)) + (_s287 * _s84)) + (_s288 * _s87);
+    const float _s290 = (((((_s284 * _s91) + (_s10 * _s233)) + (_s285 * _s90)) + (_s286 * _s92)) + (_s287 * _s93)) + (_s288 * _s94);
+    const float _s291 = (((((_s284 * _s98) + (_s10 * _s235)) + (_s285 * _s97)) + (_s286 * _s99)) + (_s287 * _s100)) + (_s288 * _s101);
+    const float _s292 = (((((_s284 * _s105) + (_s10 * _s237)) + (_s285 * _s104)) + (_s286 * _s106)) + (_s287 * _s107)) + (_s288 * _s108);
+    const float _s293 = (((((_s284 * _s112) + (_s10 * _s239)) + (_s285 * _s111)) + (_s286 * _s113)) + (_s287 * _s114)) + (_s288 * _s115);
+    const float _s294 = ((((fabsf(_s289) * _s89) + (fabsf(_s290) * _s96)) + (fabsf(_s291) * _s103)) + (fabsf(_s292) * _s110)) + (fabsf(_s293) * _s117);
+    const float _s295 = (((((_s284 * _s120) + (_s10 * _s242)) + (_s285 * _s119)) + (_s286 * _s121)) + (_s287 * _s122)) + (_s288 * _s123);
+    const float _s296 = _s294 + (fabsf(_s295) * _s125);
+    const float _s297 = (fabsf(_s282) * _s129) + (fabsf(_s283) * _s160);
+    const float _s298 = ((float)0.6) * _s217;
+    const float _s299 = (_s217 * _s48) + _s188;
+    const float _s300 = (((_s217 * (_s193 + _s199)) + (_s52 * ((((float)2.0) * spin_bound) + (_s298 * _s47)))) + (_s196 * (spin_bound + _s188))) + (_s195 * _s299);
+    const float _s301 = (_s300 + (_s197 * ((_s298 * _s48) + (((float)2.0) * _s188)))) + (((float)1.9073486328125e-06) * (spin_bound + (_s52 * _s188)));
+    const float _s302 = ((((_s217 * _s192) + (((float)2.0) * (_s187 * _s188))) + (((float)0.6) * ((normal_rounding * _s217) * _s48))) + _s297) + _s301;
+    const float _s303 = (place_n * fabsf((-((_s282 * _s132) + (_s283 * _s161))))) + (turn_z * fabsf(_s33));
+    const float _s304 = (((_s303 + (turn_z * fabsf(_s23))) + (fabsf(_s284) * _s134)) + (fabsf(_s10) * _s250)) + (fabsf(_s285) * _s133);
+    const float _s305 = _s302 + (((_s304 + (fabsf(_s286) * _s135)) + (fabsf(_s287) * _s136)) + (fabsf(_s288) * _s138));
+    const float _s306 = ((float)1.0009765625) * _s305;
+    const float _s307 = ((float)1.0009765625) * (_s296 + _s306);
+    const float _s308 = (_s217 * (_s192 + _s248)) + (((float)2.0) * (_s187 * ((_s298 * (_s158 + _s127)) + _s188)));
+    const float _s309 = larger(_s184, _s247);
+    const float _s310 = larger(_s297, _s275);
+    const float _s311 = ((float)1.0009765625) * ((_s308 + ((_s217 * larger(_s309, _s276)) + larger(_s310, _s246))) + _s301);
+    const float _s312 = larger(_s62, _s140);
+    const float _s313 = larger(_s312, _s164);
+    const float _s314 = ((float)1.0009765625) * ((((float)0.421875) * (((_s164 + _s140) + _s62) - _s313)) + _s313);
+    const float _s315 = _s159 * _s140;
+    const float _s316 = (_s186 * _s258) + (((float)0.6) * _s69);
+    const float _s317 = -(p_restitution * normal_velocity);
+    const float _s318 = _s315 + (fabsf((bend_e * ((nz * _s316) - (_s317 * _s68)))) * _s164);
+    const float _s319 = ((float)1.9073486328125e-06) * ((bend_s * _s140) + (bend_e * _s164));
+    const float _s320 = _s191 * _s319;
+    const float _s321 = (_s318 + _s320) + _s281;
+    const float _s322 = (((float)0.6) * _s141) - (_s186 * _s208);
+    const float _s323 = ((fabsf((bend_s * _s317)) * _s140) + (fabsf((-(_s214 * _s322))) * _s164)) + _s320;
+    const float _s324 = _s323 + _s254;
+    const float _s325 = ((fabsf((-(bend_s * _s316))) * _s140) + (fabsf((_s166 * _s322)) * _s164)) + _s320;
+    const float _s326 = _s325 + _s205;
+    const float _s327 = larger(_s326, _s324);
+    const float _s328 = larger(_s327, _s321);
+    const float _s329 = ((float)1.0009765625) * ((((float)0.421875) * (((_s321 + _s324) + _s326) - _s328)) + _s328);
+    const float _s330 = -(_s217 * _s322);
+    const float _s331 = _s217 * _s316;
+    const float _s332 = _s299 * _s319;
+    const float _s333 = ((fabsf((-(bend_s * _s330))) * _s140) + (fabsf(((bend_e * _s331) * _s68)) * _s164)) + _s332;
+    const float _s334 = _s333 + _s307;
+    const float _s335 = ((_s254 / p_ball_radius) + _s315) + (fabsf((bend_e * ((nz * _s330) - _s210))) * _s164);
+    const float _s336 = (_s335 + _s332) + _s311;
+    const float _s337 = (((_s281 / p_ball_radius) + (_s274 * _s140)) + (fabsf((-(_s214 * _s331))) * _s164)) + _s332;
+    const float _s338 = _s337 + _s311;
+    const float _s339 = larger(_s334, _s338);
+    const float _s340 = larger(_s339, _s336);
+    const float _s341 = ((float)1.0009765625) * ((((float)0.421875) * (((_s334 + _s336) + _s338) - _s340)) + _s340);
+    const float _s342 = (((((((float)0.125) * _s182) + _s157) + _s126) + (((float)0.125) * _s244)) + (((float)0.125) * _s273)) + (((float)0.015625) * _s296);
+    const bool _s343 = (((((_s163 + _s139) + (((float)0.125) * _s204)) + (((float)0.125) * _s253)) + (((float)0.125) * _s280)) + (((float)0.015625) * _s306)) <= (((float)0.25) * _s342);
+    return {choose(_s63, _s62, ((float)INFINITE)), choose(_s63, _s140, ((float)INFINITE)), choose(_s63, _s164, ((float)INFINITE)), choose(_s63, _s205, ((float)INFINITE)), choose(_s63, _s254, ((float)INFINITE)), choose(_s63, _s281, ((float)INFINITE)), choose(_s63, _s307, ((float)INFINITE)), choose(_s63, _s311, ((float)INFINITE)), choose(_s63, _s314, ((float)INFINITE)), choose(_s63, _s329, ((float)INFINITE)), choose(_s63, _s341, ((float)INFINITE)), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, (((float)4.440892098500626e-16) * (t + clock)) + choose(_s63, (((float)1.0009765625) * _s43), ((float)INFINITE)), _s89, _s96, _s103, _s110, _s117, _s125, _s139, _s163, _s204, _s253, _s280, _s306, _s88, _s95, _s102, _s109, _s116, _s124, _s150, _s151, _s152, _s153, _s154, _s156, _s175, _s176, _s177, _s178, _s179, _s181, _s232, _s234, _s236, _s238, _s240, _s243, _s266, _s267, _s268, _s269, _s270, _s272, _s289, _s290, _s291, _s292, _s293, _s295, choose(_s343, ((float)1.0), ((float)0.0))};
+}
+
 /* Velocity and spin after a contact, frame-free.
    Eqs. 11-17, the frame eliminated. 63 operations: 10 additions, 12 subtractions, 40 multiplications, 1 division. */
 struct kernel_impact_out {
@@ -1021,7 +1398,7 @@ static __device__ __forceinline__ kernel_impact_out kernel_impact(double vx, dou
 }
 
 /* Bounds on errors after a contact, from those at the departure before it.
-   derivative of the frame-free Eq. 17, with roundings. 964 operations: 267 additions, 65 subtractions, 478 multiplications, 6 divisions, 37 negations, 84 absolute values, 8 comparisons, 19 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 1054 operations: 289 additions, 71 subtractions, 512 multiplications, 7 divisions, 43 negations, 93 absolute values, 14 comparisons, 25 selections. */
 struct kernel_carry_impact_out {
     float place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay;
 };
@@ -1090,8 +1467,8 @@ static __device__ __forceinline__ kernel_carry_impact_out kernel_carry_impact(fl
     const float _s59 = (root_level + _s58) + (((fabsf(nx) * _s3) + (fabsf(ny) * _s5)) + (fabsf(nz) * _s8));
     const float _s60 = bend_s * _s59;
     const float _s61 = (((float)4194304.0) * ((place_n * left_bend_s) + _s60)) - ((float)1.0);
-    const bool _s62 = larger(_s55, _s61) <= ((float)0.0);
-    const float _s63 = choose(_s62, (((float)1.0009765625) * _s59), ((float)INFINITE));
+    const float _s62 = ((float)1.0009765625) * _s59;
+    const bool _s63 = larger(_s55, _s61) <= ((float)0.0);
     const float _s64 = nz * tangent_y;
     const float _s65 = -(nz * tangent_x);
     const float _s66 = (ny * tangent_x) - (nx * tangent_y);
@@ -1117,7 +1494,7 @@ static __device__ __forceinline__ kernel_carry_impact_out kernel_carry_impact(fl
     const float _s86 = ((((place_n * fabsf(_s75)) + (place_s * fabsf(_s78))) + (place_e * fabsf(_s81))) + (pace_n * fabsf(_s83))) + (pace_s * fabsf(_s85));
     const float _s87 = -(_s72 * _s38);
     const float _s88 = (_s87 * _s67) + (t * _s80);
-    const float _s89 = choose(_s62, (((float)1.0009765625) * ((_s70 + _s71) + (_s86 + (pace_e * fabsf(_s88))))), ((float)INFINITE));
+    const float _s89 = ((float)1.0009765625) * ((_s70 + _s71) + (_s86 + (pace_e * fabsf(_s88))));
     const float _s90 = (vx * tangent_x) + (vy * tangent_y);
     const float _s91 = fabsf(_s90);
     const float _s92 = fabsf(((float)0.0));
@@ -1132,7 +1509,7 @@ static __device__ __forceinline__ kernel_carry_impact_out kernel_carry_impact(fl
     const float _s101 = (_s84 * _s90) + (t * _s96);
     const float _s102 = ((((place_n * fabsf(_s95)) + (place_s * fabsf(_s97))) + (place_e * fabsf(_s99))) + (pace_n * fabsf(_s100))) + (pace_s * fabsf(_s101));
     const float _s103 = (_s87 * _s90) + (t * _s98);
-    const float _s104 = choose(_s62, (((float)1.0009765625) * ((_s93 + _s71) + (_s102 + (pace_e * fabsf(_s103))))), ((float)INFINITE));
+    const float _s104 = ((float)1.0009765625) * ((_s93 + _s71) + (_s102 + (pace_e * fabsf(_s103))));
     const float _s105 = (p_gravity * _s69) + _s45;
     const float _s106 = -(bend_s * _s67);
     const float _s107 = bend_e * _s66;
@@ -1163,12 +1540,12 @@ static __device__ __forceinline__ kernel_carry_impact_out kernel_carry_impact(fl
     const float _s132 = -(p_restitution * ((((_s0 * _s84) + _s23) - (_s106 * _s85)) - (_s108 * _s101)));
     const float _s133 = -(p_restitution * ((((_s0 * _s87) + _s33) - (_s106 * _s88)) - (_s108 * _s103)));
     const float _s134 = ((float)1.0009765625) * (_s126 + ((_s131 + (pace_s * fabsf(_s132))) + (pace_e * fabsf(_s133))));
-    const float _s135 = choose(_s62, _s134, ((float)INFINITE));
-    const float _s136 = _s92 * _s70;
-    const float _s137 = ((wx * _s64) + (wy * _s65)) + (wz * _s66);
-    const float _s138 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    const float _s139 = bend_e * ((nz * _s137) - (_s66 * _s138));
-    const float _s140 = _s136 + (fabsf(_s139) * _s93);
+    const float _s135 = _s92 * _s70;
+    const float _s136 = ((wx * _s64) + (wy * _s65)) + (wz * _s66);
+    const float _s137 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const float _s138 = _s66 * _s137;
+    const float _s139 = bend_e * ((nz * _s136) - _s138);
+    const float _s140 = _s135 + (fabsf(_s139) * _s93);
     const float _s141 = bend_s * normal_velocity;
     const float _s142 = nz * bend_e;
     const float _s143 = -(_s142 * _s90);
@@ -1194,49 +1571,76 @@ static __device__ __forceinline__ kernel_carry_impact_out kernel_carry_impact(fl
     const float _s163 = (_s111 * ((-(_s161 * _s96)) - (_s139 * _s103))) + (((float)0.6) * ((((_s146 * _s87) + _s80) - (_s141 * _s88)) - (_s143 * _s103)));
     const float _s164 = (((((place_n * _s147) + (place_s * _s153)) + (place_e * fabsf(_s159))) + (pace_n * fabsf(_s160))) + (pace_s * fabsf(_s162))) + (pace_e * fabsf(_s163));
     const float _s165 = ((_s164 + (turn_n * fabsf((_s111 * _s94)))) + (turn_z * fabsf((_s111 * _s98)))) + (turn_z * fabsf((_s111 * _s96)));
-    const float _s166 = choose(_s62, (((float)1.0009765625) * ((((_s111 * _s140) + (((float)0.6) * _s144)) + _s145) + _s165)), ((float)INFINITE));
-    const float _s167 = bend_s * _s138;
-    const float _s168 = (wx * tangent_x) + (wy * tangent_y);
-    const float _s169 = -(_s142 * _s168);
-    const float _s170 = (fabsf(_s167) * _s70) + (fabsf(_s169) * _s93);
-    const float _s171 = bend_e * ((nz * _s67) - (normal_velocity * _s66));
-    const float _s172 = _s105 + (_s136 + (fabsf(_s171) * _s93));
-    const float _s173 = fabsf(((((float)0.6) * (-(_s171 * _s95))) - (_s111 * (-((_s167 * _s75) + (_s169 * _s95))))));
-    const float _s174 = (((float)0.6) * (((_s21 * _s96) + (_s18 * _s94)) - (_s171 * _s97))) - (_s111 * ((((_s149 * _s77) + (_s151 * _s74)) - (_s167 * _s78)) - (_s169 * _s97)));
-    const float _s175 = _s111 * (((((_s154 * _s80) + (_s156 * _s77)) + (_s157 * _s74)) - (_s167 * _s81)) - (_s169 * _s99));
-    const float _s176 = (((float)0.6) * ((((_s31 * _s98) + (_s27 * _s96)) + (_s29 * _s94)) - (_s171 * _s99))) - _s175;
-    const float _s177 = fabsf(((((float)0.6) * (_s94 - (_s171 * _s100))) - (_s111 * (-((_s167 * _s83) + (_s169 * _s100))))));
-    const float _s178 = fabsf(((((float)0.6) * (_s96 - (_s171 * _s101))) - (_s111 * (((_s161 * _s80) - (_s167 * _s85)) - (_s169 * _s101)))));
-    const float _s179 = ((((place_n * _s173) + (place_s * fabsf(_s174))) + (place_e * fabsf(_s176))) + (pace_n * _s177)) + (pace_s * _s178);
-    const float _s180 = (((float)0.6) * (_s98 - (_s171 * _s103))) - (_s111 * (((-(_s161 * _s77)) - (_s167 * _s88)) - (_s169 * _s103)));
-    const float _s181 = ((_s179 + (pace_e * fabsf(_s180))) + (turn_n * fabsf((-(_s111 * _s74))))) + (turn_z * fabsf((-(_s111 * _s80))));
-    const float _s182 = (((_s111 * _s170) + (((float)0.6) * _s172)) + _s145) + (_s181 + (turn_z * fabsf((-(_s111 * _s77)))));
-    const float _s183 = choose(_s62, (((float)1.0009765625) * _s182), ((float)INFINITE));
-    const float _s184 = -(bend_s * _s137);
-    const float _s185 = _s107 * _s168;
-    const float _s186 = (fabsf(_s184) * _s70) + (fabsf(_s185) * _s93);
-    const float _s187 = ((float)0.6) * _s161;
-    const float _s188 = (_s161 * _s48) + _s113;
-    const float _s189 = (((_s161 * (_s118 + _s124)) + (_s52 * ((((float)2.0) * spin_bound) + (_s187 * _s47)))) + (_s121 * (spin_bound + _s113))) + (_s120 * _s188);
-    const float _s190 = (_s189 + (_s122 * ((_s187 * _s48) + (((float)2.0) * _s113)))) + (((float)1.9073486328125e-06) * (spin_bound + (_s52 * _s113)));
-    const float _s191 = ((((_s161 * _s117) + (((float)2.0) * (_s112 * _s113))) + (((float)0.6) * ((normal_rounding * _s161) * _s48))) + _s186) + _s190;
-    const float _s192 = place_s * fabsf(((((_s149 * _s23) + (_s151 * _s10)) - (_s184 * _s78)) - (_s185 * _s97)));
-    const float _s193 = (place_n * fabsf((-((_s184 * _s75) + (_s185 * _s95))))) + _s192;
-    const float _s194 = fabsf((((((_s154 * _s33) + (_s156 * _s23)) + (_s157 * _s10)) - (_s184 * _s81)) - (_s185 * _s99)));
-    const float _s195 = (_s193 + (place_e * _s194)) + (pace_n * fabsf((-((_s184 * _s83) + (_s185 * _s100)))));
-    const float _s196 = _s195 + (pace_s * fabsf((((_s161 * _s33) - (_s184 * _s85)) - (_s185 * _s101))));
-    const float _s197 = pace_e * fabsf((((-(_s161 * _s23)) - (_s184 * _s88)) - (_s185 * _s103)));
-    const float _s198 = _s191 + ((((_s196 + _s197) + (turn_n * fabsf(_s10))) + (turn_z * fabsf(_s33))) + (turn_z * fabsf(_s23)));
-    const float _s199 = choose(_s62, (((float)1.0009765625) * _s198), ((float)INFINITE));
-    const float _s200 = (_s161 * (_s117 + _s145)) + (((float)2.0) * (_s112 * ((_s187 * (_s91 + _s68)) + _s113)));
-    const float _s201 = larger(_s109, _s144);
-    const float _s202 = larger(_s186, _s170);
-    const float _s203 = ((float)1.0009765625) * ((_s200 + ((_s161 * larger(_s201, _s172)) + larger(_s202, _s140))) + _s190);
-    const float _s204 = choose(_s62, _s203, ((float)INFINITE));
-    const float _s205 = (bend_s * _s89) + (bend_e * _s104);
-    const float _s206 = _s166 + _s183;
-    const float _s207 = choose(_s62, (((float)1.0009765625) * ((((_s206 / p_ball_radius) + (_s205 * _s188)) + (((float)2.0) * _s204)) + _s199)), ((float)INFINITE));
-    return {_s63, _s89, _s104, _s135, _s166, _s183, _s199, _s204, choose(_s62, (((float)1.0009765625) * ((_s63 + _s104) + _s89)), ((float)INFINITE)), choose(_s62, (((float)1.0009765625) * (((_s116 * _s205) + _s206) + _s135)), ((float)INFINITE)), _s207, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, (((float)4.440892098500626e-16) * (t + clock)) + choose(_s62, (((float)1.0009765625) * _s43), ((float)INFINITE))};
+    const float _s166 = ((float)1.0009765625) * ((((_s111 * _s140) + (((float)0.6) * _s144)) + _s145) + _s165);
+    const float _s167 = bend_s * _s137;
+    const float _s168 = fabsf(_s167);
+    const float _s169 = (wx * tangent_x) + (wy * tangent_y);
+    const float _s170 = -(_s142 * _s169);
+    const float _s171 = (_s168 * _s70) + (fabsf(_s170) * _s93);
+    const float _s172 = bend_e * ((nz * _s67) - (normal_velocity * _s66));
+    const float _s173 = _s105 + (_s135 + (fabsf(_s172) * _s93));
+    const float _s174 = fabsf(((((float)0.6) * (-(_s172 * _s95))) - (_s111 * (-((_s167 * _s75) + (_s170 * _s95))))));
+    const float _s175 = (((float)0.6) * (((_s21 * _s96) + (_s18 * _s94)) - (_s172 * _s97))) - (_s111 * ((((_s149 * _s77) + (_s151 * _s74)) - (_s167 * _s78)) - (_s170 * _s97)));
+    const float _s176 = _s111 * (((((_s154 * _s80) + (_s156 * _s77)) + (_s157 * _s74)) - (_s167 * _s81)) - (_s170 * _s99));
+    const float _s177 = (((float)0.6) * ((((_s31 * _s98) + (_s27 * _s96)) + (_s29 * _s94)) - (_s172 * _s99))) - _s176;
+    const float _s178 = fabsf(((((float)0.6) * (_s94 - (_s172 * _s100))) - (_s111 * (-((_s167 * _s83) + (_s170 * _s100))))));
+    const float _s179 = fabsf(((((float)0.6) * (_s96 - (_s172 * _s101))) - (_s111 * (((_s161 * _s80) - (_s167 * _s85)) - (_s170 * _s101)))));
+    const float _s180 = ((((place_n * _s174) + (place_s * fabsf(_s175))) + (place_e * fabsf(_s177))) + (pace_n * _s178)) + (pace_s * _s179);
+    const float _s181 = (((float)0.6) * (_s98 - (_s172 * _s103))) - (_s111 * (((-(_s161 * _s77)) - (_s167 * _s88)) - (_s170 * _s103)));
+    const float _s182 = ((_s180 + (pace_e * fabsf(_s181))) + (turn_n * fabsf((-(_s111 * _s74))))) + (turn_z * fabsf((-(_s111 * _s80))));
+    const float _s183 = (((_s111 * _s171) + (((float)0.6) * _s173)) + _s145) + (_s182 + (turn_z * fabsf((-(_s111 * _s77)))));
+    const float _s184 = ((float)1.0009765625) * _s183;
+    const float _s185 = -(bend_s * _s136);
+    const float _s186 = _s107 * _s169;
+    const float _s187 = (fabsf(_s185) * _s70) + (fabsf(_s186) * _s93);
+    const float _s188 = ((float)0.6) * _s161;
+    const float _s189 = (_s161 * _s48) + _s113;
+    const float _s190 = (((_s161 * (_s118 + _s124)) + (_s52 * ((((float)2.0) * spin_bound) + (_s188 * _s47)))) + (_s121 * (spin_bound + _s113))) + (_s120 * _s189);
+    const float _s191 = (_s190 + (_s122 * ((_s188 * _s48) + (((float)2.0) * _s113)))) + (((float)1.9073486328125e-06) * (spin_bound + (_s52 * _s113)));
+    const float _s192 = ((((_s161 * _s117) + (((float)2.0) * (_s112 * _s113))) + (((float)0.6) * ((normal_rounding * _s161) * _s48))) + _s187) + _s191;
+    const float _s193 = place_s * fabsf(((((_s149 * _s23) + (_s151 * _s10)) - (_s185 * _s78)) - (_s186 * _s97)));
+    const float _s194 = (place_n * fabsf((-((_s185 * _s75) + (_s186 * _s95))))) + _s193;
+    const float _s195 = fabsf((((((_s154 * _s33) + (_s156 * _s23)) + (_s157 * _s10)) - (_s185 * _s81)) - (_s186 * _s99)));
+    const float _s196 = (_s194 + (place_e * _s195)) + (pace_n * fabsf((-((_s185 * _s83) + (_s186 * _s100)))));
+    const float _s197 = _s196 + (pace_s * fabsf((((_s161 * _s33) - (_s185 * _s85)) - (_s186 * _s101))));
+    const float _s198 = pace_e * fabsf((((-(_s161 * _s23)) - (_s185 * _s88)) - (_s186 * _s103)));
+    const float _s199 = _s192 + ((((_s197 + _s198) + (turn_n * fabsf(_s10))) + (turn_z * fabsf(_s33))) + (turn_z * fabsf(_s23)));
+    const float _s200 = ((float)1.0009765625) * _s199;
+    const float _s201 = (_s161 * (_s117 + _s145)) + (((float)2.0) * (_s112 * ((_s188 * (_s91 + _s68)) + _s113)));
+    const float _s202 = larger(_s109, _s144);
+    const float _s203 = larger(_s187, _s171);
+    const float _s204 = ((float)1.0009765625) * ((_s201 + ((_s161 * larger(_s202, _s173)) + larger(_s203, _s140))) + _s191);
+    const float _s205 = larger(_s62, _s89);
+    const float _s206 = larger(_s205, _s104);
+    const float _s207 = ((float)1.0009765625) * ((((float)0.421875) * (((_s62 + _s104) + _s89) - _s206)) + _s206);
+    const float _s208 = _s92 * _s89;
+    const float _s209 = (_s111 * _s169) + (((float)0.6) * _s67);
+    const float _s210 = -(p_restitution * normal_velocity);
+    const float _s211 = _s208 + (fabsf((bend_e * ((nz * _s209) - (_s210 * _s66)))) * _s104);
+    const float _s212 = ((float)1.9073486328125e-06) * ((bend_s * _s89) + (bend_e * _s104));
+    const float _s213 = _s116 * _s212;
+    const float _s214 = (_s211 + _s213) + _s184;
+    const float _s215 = (((float)0.6) * _s90) - (_s111 * _s136);
+    const float _s216 = ((fabsf((bend_s * _s210)) * _s89) + (fabsf((-(_s142 * _s215))) * _s104)) + _s213;
+    const float _s217 = _s216 + _s166;
+    const float _s218 = ((fabsf((-(bend_s * _s209))) * _s89) + (fabsf((_s107 * _s215)) * _s104)) + _s213;
+    const float _s219 = _s218 + _s134;
+    const float _s220 = larger(_s219, _s217);
+    const float _s221 = larger(_s220, _s214);
+    const float _s222 = ((float)1.0009765625) * ((((float)0.421875) * (((_s214 + _s217) + _s219) - _s221)) + _s221);
+    const float _s223 = -(_s161 * _s215);
+    const float _s224 = _s161 * _s209;
+    const float _s225 = _s189 * _s212;
+    const float _s226 = ((fabsf((-(bend_s * _s223))) * _s89) + (fabsf(((bend_e * _s224) * _s66)) * _s104)) + _s225;
+    const float _s227 = _s226 + _s200;
+    const float _s228 = ((_s166 / p_ball_radius) + _s208) + (fabsf((bend_e * ((nz * _s223) - _s138))) * _s104);
+    const float _s229 = (_s228 + _s225) + _s204;
+    const float _s230 = (((_s184 / p_ball_radius) + (_s168 * _s89)) + (fabsf((-(_s142 * _s224))) * _s104)) + _s225;
+    const float _s231 = _s230 + _s204;
+    const float _s232 = larger(_s227, _s231);
+    const float _s233 = larger(_s232, _s229);
+    const float _s234 = ((float)1.0009765625) * ((((float)0.421875) * (((_s227 + _s229) + _s231) - _s233)) + _s233);
+    return {choose(_s63, _s62, ((float)INFINITE)), choose(_s63, _s89, ((float)INFINITE)), choose(_s63, _s104, ((float)INFINITE)), choose(_s63, _s134, ((float)INFINITE)), choose(_s63, _s166, ((float)INFINITE)), choose(_s63, _s184, ((float)INFINITE)), choose(_s63, _s200, ((float)INFINITE)), choose(_s63, _s204, ((float)INFINITE)), choose(_s63, _s207, ((float)INFINITE)), choose(_s63, _s222, ((float)INFINITE)), choose(_s63, _s234, ((float)INFINITE)), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, (((float)4.440892098500626e-16) * (t + clock)) + choose(_s63, (((float)1.0009765625) * _s43), ((float)INFINITE))};
 }
 
 /* Outward unit normal n3 at a contact.
@@ -2099,16 +2503,20 @@ static __device__ __forceinline__ kernel_end_edge_out kernel_end_edge(double sla
                       and of the event log, which has _max_contacts + 1 rows
                       for each shot, and of their number: events, event_counts */
 
-/* The event loop. Without BOUNDS, what it guards is never compiled, and what it would assign stays as it starts. */
+/* The event loop. Without BOUNDS, what it guards is never compiled, and what it would assign stays as it starts.
+   With `tightening` 1 bounds on errors are tightened, and only what needs them is written. Return whether
+   that may make a shot certain that is not yet.
+   */
 template <bool BOUNDS>
-static __device__ __forceinline__ void hoop_loop(
+static __device__ __forceinline__ bool hoop_loop(
     long long _shots, long long _first, const double *_states, const double *const *_values,
     const long long *_strides, const signed char *_leaving, int _max_contacts, double time_limit,
-    void *const *_results)
+    void *const *_results, double tightening)
 {
     const long long _shot = blockIdx.x * (long long)blockDim.x + threadIdx.x;
     if (_shot >= _shots)
-        return;
+        return false;
+    const bool _tightens = BOUNDS && tightening > 0.0;
     const shot_parameters _given = {_values, _strides, _shot};
     const double most_contacts = (double)_max_contacts;
     const double claims = BOUNDS && (_results[6] || _results[7]) ? 1.0 : 0.0;
@@ -2144,17 +2552,32 @@ static __device__ __forceinline__ void hoop_loop(
         position_bound = (float)0.0, velocity_bound = (float)0.0, spin_bound = (float)0.0,
         left_nx = (float)0.0, left_ny = (float)0.0, left_nz = (float)0.0, left_ex = (float)0.0,
         left_ey = (float)0.0, left_bend_s = (float)0.0, left_bend_e = (float)0.0,
-        clock_error = (float)0.0, position_claim = (float)0.0, velocity_claim = (float)0.0,
-        spin_claim = (float)0.0, time_claim = (float)0.0, position_error = (float)0.0,
-        velocity_error = (float)0.0, time_error = (float)0.0, onset = (float)0.0,
-        wide_end = (float)0.0, wide_low1 = (float)0.0, wide_high1 = (float)0.0,
-        wide_low2 = (float)0.0, wide_high2 = (float)0.0, lapsed = (float)0.0,
-        short_share = (float)0.0, short_t = (float)0.0, short_end = (float)0.0,
-        short_x = (float)0.0, short_y = (float)0.0, short_z = (float)0.0, short_vx = (float)0.0,
-        short_vy = (float)0.0, short_vz = (float)0.0, short_energy2 = (float)0.0,
-        short_moment2 = (float)0.0, short_rho_start = (float)0.0, short_ceiling = (float)0.0,
-        short_flat = (float)0.0, short_tilt = (float)0.0, short_jerk = (float)0.0,
-        short_quotient_margin = (float)0.0, short_start_rate = (float)0.0,
+        origin_s = (float)0.0, origin_e = (float)0.0, origin_u = (float)0.0, origin_v = (float)0.0,
+        origin_w = (float)0.0, origin_t = (float)0.0, product_11 = (float)0.0,
+        product_12 = (float)0.0, product_13 = (float)0.0, product_14 = (float)0.0,
+        product_15 = (float)0.0, product_16 = (float)0.0, product_21 = (float)0.0,
+        product_22 = (float)0.0, product_23 = (float)0.0, product_24 = (float)0.0,
+        product_25 = (float)0.0, product_26 = (float)0.0, product_31 = (float)0.0,
+        product_32 = (float)0.0, product_33 = (float)0.0, product_34 = (float)0.0,
+        product_35 = (float)0.0, product_36 = (float)0.0, product_41 = (float)0.0,
+        product_42 = (float)0.0, product_43 = (float)0.0, product_44 = (float)0.0,
+        product_45 = (float)0.0, product_46 = (float)0.0, product_51 = (float)0.0,
+        product_52 = (float)0.0, product_53 = (float)0.0, product_54 = (float)0.0,
+        product_55 = (float)0.0, product_56 = (float)0.0, product_61 = (float)0.0,
+        product_62 = (float)0.0, product_63 = (float)0.0, product_64 = (float)0.0,
+        product_65 = (float)0.0, product_66 = (float)0.0, recent_s = (float)0.0,
+        recent_e = (float)0.0, recent_u = (float)0.0, recent_v = (float)0.0, recent_w = (float)0.0,
+        recent_t = (float)0.0, continued = (float)0.0, clock_error = (float)0.0,
+        position_claim = (float)0.0, velocity_claim = (float)0.0, spin_claim = (float)0.0,
+        time_claim = (float)0.0, position_error = (float)0.0, velocity_error = (float)0.0,
+        time_error = (float)0.0, onset = (float)0.0, wide_end = (float)0.0, wide_low1 = (float)0.0,
+        wide_high1 = (float)0.0, wide_low2 = (float)0.0, wide_high2 = (float)0.0,
+        lapsed = (float)0.0, short_share = (float)0.0, short_t = (float)0.0,
+        short_end = (float)0.0, short_x = (float)0.0, short_y = (float)0.0, short_z = (float)0.0,
+        short_vx = (float)0.0, short_vy = (float)0.0, short_vz = (float)0.0,
+        short_energy2 = (float)0.0, short_moment2 = (float)0.0, short_rho_start = (float)0.0,
+        short_ceiling = (float)0.0, short_flat = (float)0.0, short_tilt = (float)0.0,
+        short_jerk = (float)0.0, short_quotient_margin = (float)0.0, short_start_rate = (float)0.0,
         short_rho_rate = (float)0.0, short_rate_margin = (float)0.0, short_low1 = (float)0.0,
         short_high1 = (float)0.0, short_low2 = (float)0.0, short_high2 = (float)0.0,
         tangent_x = (float)0.0, tangent_y = (float)0.0, bend_s = (float)0.0, bend_e = (float)0.0,
@@ -2165,8 +2588,8 @@ static __device__ __forceinline__ void hoop_loop(
         certain = false, searching = false, representable = false, fits = false, stepping = false,
         single_precision = false, hit = false, sure = false, needs_refinement = false,
         exhausted = false, refining = false, moves = false, ends = false, touches = false,
-        edge = false, here = false, meeting = false, unbounded = false, ends_by_time_limit = false,
-        closed = false;
+        edge = false, here = false, meeting = false, carries = false, tightens = false,
+        unbounded = false, ends_by_time_limit = false, closed = false, loose = false;
     x = _states[9 * _shot + 0];
     y = _states[9 * _shot + 1];
     z = _states[9 * _shot + 2];
@@ -2178,7 +2601,7 @@ static __device__ __forceinline__ void hoop_loop(
     wz = _states[9 * _shot + 8];
     last = _leaving ? (double)_leaving[_shot] : -1.0;
 
-    hoop_event *_events = (hoop_event *)_results[9];
+    hoop_event *_events = _tightens ? 0 : (hoop_event *)_results[9];
     int _used = 0;
     if (_events)
         _events += _shot * (1 * (long long)_max_contacts + 1);
@@ -2815,92 +3238,168 @@ static __device__ __forceinline__ void hoop_loop(
                     const kernel_clock_error_sum_out _o140 = kernel_clock_error_sum(belated, clock_error);
                     clock_error = _o140.clock_error;
                 }
+                const kernel_tightens_out _o141 = kernel_tightens(tightening, touches);
+                carries = _o141.carries;
+                tightens = _o141.tightens;
+                if (carries) {
+                    const kernel_carry_impact_out _o142 = kernel_carry_impact(when, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity);
+                    place_n = _o142.place_n;
+                    place_s = _o142.place_s;
+                    place_e = _o142.place_e;
+                    pace_n = _o142.pace_n;
+                    pace_s = _o142.pace_s;
+                    pace_e = _o142.pace_e;
+                    turn_n = _o142.turn_n;
+                    turn_z = _o142.turn_z;
+                    position_bound = _o142.position_bound;
+                    velocity_bound = _o142.velocity_bound;
+                    spin_bound = _o142.spin_bound;
+                    left_nx = _o142.left_nx;
+                    left_ny = _o142.left_ny;
+                    left_nz = _o142.left_nz;
+                    left_ex = _o142.left_ex;
+                    left_ey = _o142.left_ey;
+                    left_bend_s = _o142.left_bend_s;
+                    left_bend_e = _o142.left_bend_e;
+                    belated = _o142.delay;
+                    const kernel_clock_error_sum_out _o143 = kernel_clock_error_sum(belated, clock_error);
+                    clock_error = _o143.clock_error;
+                }
+                if (tightens) {
+                    const kernel_tighten_impact_out _o144 = kernel_tighten_impact(when, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, origin_s, origin_e, origin_u, origin_v, origin_w, origin_t, product_11, product_12, product_13, product_14, product_15, product_16, product_21, product_22, product_23, product_24, product_25, product_26, product_31, product_32, product_33, product_34, product_35, product_36, product_41, product_42, product_43, product_44, product_45, product_46, product_51, product_52, product_53, product_54, product_55, product_56, product_61, product_62, product_63, product_64, product_65, product_66, recent_s, recent_e, recent_u, recent_v, recent_w, recent_t, continued, p_ball_radius, p_restitution, p_gravity);
+                    place_n = _o144.place_n;
+                    place_s = _o144.place_s;
+                    place_e = _o144.place_e;
+                    pace_n = _o144.pace_n;
+                    pace_s = _o144.pace_s;
+                    pace_e = _o144.pace_e;
+                    turn_n = _o144.turn_n;
+                    turn_z = _o144.turn_z;
+                    position_bound = _o144.position_bound;
+                    velocity_bound = _o144.velocity_bound;
+                    spin_bound = _o144.spin_bound;
+                    left_nx = _o144.left_nx;
+                    left_ny = _o144.left_ny;
+                    left_nz = _o144.left_nz;
+                    left_ex = _o144.left_ex;
+                    left_ey = _o144.left_ey;
+                    left_bend_s = _o144.left_bend_s;
+                    left_bend_e = _o144.left_bend_e;
+                    belated = _o144.delay;
+                    origin_s = _o144.origin_s;
+                    origin_e = _o144.origin_e;
+                    origin_u = _o144.origin_u;
+                    origin_v = _o144.origin_v;
+                    origin_w = _o144.origin_w;
+                    origin_t = _o144.origin_t;
+                    recent_s = _o144.recent_s;
+                    recent_e = _o144.recent_e;
+                    recent_u = _o144.recent_u;
+                    recent_v = _o144.recent_v;
+                    recent_w = _o144.recent_w;
+                    recent_t = _o144.recent_t;
+                    product_11 = _o144.product_11;
+                    product_12 = _o144.product_12;
+                    product_13 = _o144.product_13;
+                    product_14 = _o144.product_14;
+                    product_15 = _o144.product_15;
+                    product_16 = _o144.product_16;
+                    product_21 = _o144.product_21;
+                    product_22 = _o144.product_22;
+                    product_23 = _o144.product_23;
+                    product_24 = _o144.product_24;
+                    product_25 = _o144.product_25;
+                    product_26 = _o144.product_26;
+                    product_31 = _o144.product_31;
+                    product_32 = _o144.product_32;
+                    product_33 = _o144.product_33;
+                    product_34 = _o144.product_34;
+                    product_35 = _o144.product_35;
+                    product_36 = _o144.product_36;
+                    product_41 = _o144.product_41;
+                    product_42 = _o144.product_42;
+                    product_43 = _o144.product_43;
+                    product_44 = _o144.product_44;
+                    product_45 = _o144.product_45;
+                    product_46 = _o144.product_46;
+                    product_51 = _o144.product_51;
+                    product_52 = _o144.product_52;
+                    product_53 = _o144.product_53;
+                    product_54 = _o144.product_54;
+                    product_55 = _o144.product_55;
+                    product_56 = _o144.product_56;
+                    product_61 = _o144.product_61;
+                    product_62 = _o144.product_62;
+                    product_63 = _o144.product_63;
+                    product_64 = _o144.product_64;
+                    product_65 = _o144.product_65;
+                    product_66 = _o144.product_66;
+                    continued = _o144.continued;
+                    const kernel_clock_error_sum_out _o145 = kernel_clock_error_sum(belated, clock_error);
+                    clock_error = _o145.clock_error;
+                }
+            }
+            if (touches) {
+                const kernel_impact_out _o146 = kernel_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
+                vx = _o146.vx;
+                vy = _o146.vy;
+                vz = _o146.vz;
+                wx = _o146.wx;
+                wy = _o146.wy;
+                wz = _o146.wz;
+            }
+            const kernel_here_out _o147 = kernel_here(1.0, which);
+            here = _o147.here;
+            if (here) {
+                const kernel_backboard_place_out _o148 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
+                x = _o148.x;
+                y = _o148.y;
+                z = _o148.z;
+            }
+            const kernel_here_out _o149 = kernel_here(2.0, which);
+            here = _o149.here;
+            if (here) {
+                const kernel_bridge_place_out _o150 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
+                x = _o150.x;
+                y = _o150.y;
+                z = _o150.z;
             }
             if (touches) {
                 if (BOUNDS) {
-                    const kernel_carry_impact_out _o141 = kernel_carry_impact(when, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity);
-                    place_n = _o141.place_n;
-                    place_s = _o141.place_s;
-                    place_e = _o141.place_e;
-                    pace_n = _o141.pace_n;
-                    pace_s = _o141.pace_s;
-                    pace_e = _o141.pace_e;
-                    turn_n = _o141.turn_n;
-                    turn_z = _o141.turn_z;
-                    position_bound = _o141.position_bound;
-                    velocity_bound = _o141.velocity_bound;
-                    spin_bound = _o141.spin_bound;
-                    left_nx = _o141.left_nx;
-                    left_ny = _o141.left_ny;
-                    left_nz = _o141.left_nz;
-                    left_ex = _o141.left_ex;
-                    left_ey = _o141.left_ey;
-                    left_bend_s = _o141.left_bend_s;
-                    left_bend_e = _o141.left_bend_e;
-                    belated = _o141.delay;
-                    const kernel_clock_error_sum_out _o142 = kernel_clock_error_sum(belated, clock_error);
-                    clock_error = _o142.clock_error;
+                    const kernel_unbounded_out _o151 = kernel_unbounded(clock_error, position_bound, velocity_bound, spin_bound);
+                    unbounded = _o151.unbounded;
+                    const kernel_without_bounds_out _o152 = kernel_without_bounds(unbounded, uncertain);
+                    uncertain = _o152.uncertain;
                 }
-                const kernel_impact_out _o143 = kernel_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                vx = _o143.vx;
-                vy = _o143.vy;
-                vz = _o143.vz;
-                wx = _o143.wx;
-                wy = _o143.wy;
-                wz = _o143.wz;
-            }
-            const kernel_here_out _o144 = kernel_here(1.0, which);
-            here = _o144.here;
-            if (here) {
-                const kernel_backboard_place_out _o145 = kernel_backboard_place(y, z, p_ball_radius, p_board_distance);
-                x = _o145.x;
-                y = _o145.y;
-                z = _o145.z;
-            }
-            const kernel_here_out _o146 = kernel_here(2.0, which);
-            here = _o146.here;
-            if (here) {
-                const kernel_bridge_place_out _o147 = kernel_bridge_place(x, y, p_ball_radius, p_wire_radius);
-                x = _o147.x;
-                y = _o147.y;
-                z = _o147.z;
-            }
-            if (touches) {
-                if (BOUNDS) {
-                    const kernel_unbounded_out _o148 = kernel_unbounded(clock_error, position_bound, velocity_bound, spin_bound);
-                    unbounded = _o148.unbounded;
-                    const kernel_without_bounds_out _o149 = kernel_without_bounds(unbounded, uncertain);
-                    uncertain = _o149.uncertain;
-                }
-                const kernel_touched_out _o150 = kernel_touched(which, body, first);
-                first = _o150.first;
-                last = _o150.last;
+                const kernel_touched_out _o153 = kernel_touched(which, body, first);
+                first = _o153.first;
+                last = _o153.last;
             }
         }
         if (BOUNDS) {
             if (limited) {
-                const kernel_ends_by_time_limit_out _o151 = kernel_ends_by_time_limit(4.0, which, claims);
-                ends_by_time_limit = _o151.ends_by_time_limit;
+                const kernel_ends_by_time_limit_out _o154 = kernel_ends_by_time_limit(4.0, which, claims);
+                ends_by_time_limit = _o154.ends_by_time_limit;
                 if (ends_by_time_limit) {
-                    const kernel_carry_time_out _o152 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, position_bound, velocity_bound, spin_bound, p_gravity);
-                    position_bound = _o152.position_bound;
-                    velocity_bound = _o152.velocity_bound;
-                    spin_bound = _o152.spin_bound;
-                    clock_error = _o152.clock_error;
+                    const kernel_carry_time_out _o155 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, position_bound, velocity_bound, spin_bound, p_gravity);
+                    position_bound = _o155.position_bound;
+                    velocity_bound = _o155.velocity_bound;
+                    spin_bound = _o155.spin_bound;
+                    clock_error = _o155.clock_error;
                 }
             }
-            const kernel_closing_out _o153 = kernel_closing(outcome, claims);
-            closed = _o153.closed;
-            position_claim = _o153.position_claim;
-            velocity_claim = _o153.velocity_claim;
-            spin_claim = _o153.spin_claim;
-            time_claim = _o153.time_claim;
+            const kernel_closing_out _o156 = kernel_closing(outcome, claims);
+            closed = _o156.closed;
+            position_claim = _o156.position_claim;
+            velocity_claim = _o156.velocity_claim;
+            spin_claim = _o156.spin_claim;
+            time_claim = _o156.time_claim;
             if (closed) {
-                const kernel_claimed_errors_out _o154 = kernel_claimed_errors(clock_error, position_bound, velocity_bound, spin_bound);
-                position_claim = _o154.position_error;
-                velocity_claim = _o154.velocity_error;
-                spin_claim = _o154.spin_error;
-                time_claim = _o154.time_error;
+                const kernel_claimed_errors_out _o157 = kernel_claimed_errors(clock_error, position_bound, velocity_bound, spin_bound);
+                position_claim = _o157.position_error;
+                velocity_claim = _o157.velocity_error;
+                spin_claim = _o157.spin_error;
+                time_claim = _o157.time_error;
             }
         }
 
@@ -2929,24 +3428,24 @@ static __device__ __forceinline__ void hoop_loop(
         ((int *)_results[10])[_shot] = _used;
     const bool _invalid = (int)outcome == HOOP_OUTCOME_INVALID;
     (void)_invalid;
-    if (_results[0]) {
+    if (_results[0] && !_tightens) {
         ((unsigned char *)_results[0])[_shot] = (unsigned char)(int)outcome;
     }
-    if (_results[1]) {
+    if (_results[1] && !_tightens) {
         ((int *)_results[1])[_shot] = (int)contacts;
     }
-    if (_results[2]) {
+    if (_results[2] && !_tightens) {
         ((int *)_results[2])[3 * _shot + 0] = (int)count_0;
         ((int *)_results[2])[3 * _shot + 1] = (int)count_1;
         ((int *)_results[2])[3 * _shot + 2] = (int)count_2;
     }
-    if (_results[3]) {
+    if (_results[3] && !_tightens) {
         ((signed char *)_results[3])[_shot] = (signed char)(int)first;
     }
-    if (_results[4]) {
+    if (_results[4] && !_tightens) {
         ((double *)_results[4])[_shot] = _invalid ? NOT_A_NUMBER : clock;
     }
-    if (_results[5]) {
+    if (_results[5] && !_tightens) {
         ((double *)_results[5])[9 * _shot + 0] = _invalid ? NOT_A_NUMBER : x;
         ((double *)_results[5])[9 * _shot + 1] = _invalid ? NOT_A_NUMBER : y;
         ((double *)_results[5])[9 * _shot + 2] = _invalid ? NOT_A_NUMBER : z;
@@ -2968,6 +3467,12 @@ static __device__ __forceinline__ void hoop_loop(
     if (BOUNDS && _results[8]) {
         ((unsigned char *)_results[8])[_shot] = (unsigned char)(int)uncertain;
     }
+
+    if (BOUNDS) {
+        const kernel_loose_out _o158 = kernel_loose(contacts, outcome, uncertain);
+        loose = _o158.loose;
+    }
+    return loose && !_tightens;
 }
 
 #if VARIANT != 1
@@ -2978,7 +3483,7 @@ extern "C" __global__ void hoop_plain(
     void *const *_results)
 {
     hoop_loop<false>(
-        _shots, _first, _states, _values, _strides, _leaving, _max_contacts, time_limit, _results);
+        _shots, _first, _states, _values, _strides, _leaving, _max_contacts, time_limit, _results, 0.0);
 }
 #endif
 
@@ -2989,7 +3494,9 @@ extern "C" __global__ void hoop_bounded(
     const long long *_strides, const signed char *_leaving, int _max_contacts, double time_limit,
     void *const *_results)
 {
-    hoop_loop<true>(
-        _shots, _first, _states, _values, _strides, _leaving, _max_contacts, time_limit, _results);
+    double tightening = 0.0;
+    while (hoop_loop<true>(
+        _shots, _first, _states, _values, _strides, _leaving, _max_contacts, time_limit, _results, tightening))
+        tightening = 1.0;
 }
 #endif

@@ -208,12 +208,14 @@ PIECES: tuple[str, ...] = ()
 
 class Field(NamedTuple):
     """A number that a shot keeps from event to event: its start, None if given; whether it is
-    diagnostic, and never influences the trajectory."""
+    diagnostic, and never influences the trajectory; whether only shots whose errors are tightened
+    need it."""
 
     name: str
     start: float | None
     is_diagnostic: bool
     dtype: str = "float64"
+    is_tightening: bool = False
 
 
 class ResultField(NamedTuple):

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation f126937a0127ad50,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 394a5522f97c63e8,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -173,12 +173,14 @@ PIECES: tuple[str, ...] = ()
 
 class Field(NamedTuple):
     """A number that a shot keeps from event to event: its start, None if given; whether it is
-    diagnostic, and never influences the trajectory."""
+    diagnostic, and never influences the trajectory; whether only shots whose errors are tightened
+    need it."""
 
     name: str
     start: float | None
     is_diagnostic: bool
     dtype: str = "float64"
+    is_tightening: bool = False
 
 
 class ResultField(NamedTuple):
@@ -240,6 +242,55 @@ FIELDS: tuple[Field, ...] = (
     Field("left_ey", 0.0, True, "float32"),
     Field("left_bend_s", 0.0, True, "float32"),
     Field("left_bend_e", 0.0, True, "float32"),
+    Field("origin_s", 0.0, True, "float32", is_tightening=True),
+    Field("origin_e", 0.0, True, "float32", is_tightening=True),
+    Field("origin_u", 0.0, True, "float32", is_tightening=True),
+    Field("origin_v", 0.0, True, "float32", is_tightening=True),
+    Field("origin_w", 0.0, True, "float32", is_tightening=True),
+    Field("origin_t", 0.0, True, "float32", is_tightening=True),
+    Field("product_11", 0.0, True, "float32", is_tightening=True),
+    Field("product_12", 0.0, True, "float32", is_tightening=True),
+    Field("product_13", 0.0, True, "float32", is_tightening=True),
+    Field("product_14", 0.0, True, "float32", is_tightening=True),
+    Field("product_15", 0.0, True, "float32", is_tightening=True),
+    Field("product_16", 0.0, True, "float32", is_tightening=True),
+    Field("product_21", 0.0, True, "float32", is_tightening=True),
+    Field("product_22", 0.0, True, "float32", is_tightening=True),
+    Field("product_23", 0.0, True, "float32", is_tightening=True),
+    Field("product_24", 0.0, True, "float32", is_tightening=True),
+    Field("product_25", 0.0, True, "float32", is_tightening=True),
+    Field("product_26", 0.0, True, "float32", is_tightening=True),
+    Field("product_31", 0.0, True, "float32", is_tightening=True),
+    Field("product_32", 0.0, True, "float32", is_tightening=True),
+    Field("product_33", 0.0, True, "float32", is_tightening=True),
+    Field("product_34", 0.0, True, "float32", is_tightening=True),
+    Field("product_35", 0.0, True, "float32", is_tightening=True),
+    Field("product_36", 0.0, True, "float32", is_tightening=True),
+    Field("product_41", 0.0, True, "float32", is_tightening=True),
+    Field("product_42", 0.0, True, "float32", is_tightening=True),
+    Field("product_43", 0.0, True, "float32", is_tightening=True),
+    Field("product_44", 0.0, True, "float32", is_tightening=True),
+    Field("product_45", 0.0, True, "float32", is_tightening=True),
+    Field("product_46", 0.0, True, "float32", is_tightening=True),
+    Field("product_51", 0.0, True, "float32", is_tightening=True),
+    Field("product_52", 0.0, True, "float32", is_tightening=True),
+    Field("product_53", 0.0, True, "float32", is_tightening=True),
+    Field("product_54", 0.0, True, "float32", is_tightening=True),
+    Field("product_55", 0.0, True, "float32", is_tightening=True),
+    Field("product_56", 0.0, True, "float32", is_tightening=True),
+    Field("product_61", 0.0, True, "float32", is_tightening=True),
+    Field("product_62", 0.0, True, "float32", is_tightening=True),
+    Field("product_63", 0.0, True, "float32", is_tightening=True),
+    Field("product_64", 0.0, True, "float32", is_tightening=True),
+    Field("product_65", 0.0, True, "float32", is_tightening=True),
+    Field("product_66", 0.0, True, "float32", is_tightening=True),
+    Field("recent_s", 0.0, True, "float32", is_tightening=True),
+    Field("recent_e", 0.0, True, "float32", is_tightening=True),
+    Field("recent_u", 0.0, True, "float32", is_tightening=True),
+    Field("recent_v", 0.0, True, "float32", is_tightening=True),
+    Field("recent_w", 0.0, True, "float32", is_tightening=True),
+    Field("recent_t", 0.0, True, "float32", is_tightening=True),
+    Field("continued", 0.0, True, "float32", is_tightening=True),
     Field("clock", 0.0, False),
     Field("clock_error", 0.0, True, "float32"),
     Field("last", None, False),
@@ -340,11 +391,13 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "here": ("here",),
     "counted": ("count",),
     "without_bounds": ("uncertain",),
+    "tightens": ("carries", "tightens",),
     "came_back": ("back",),
     "touched": ("first", "last",),
     "ends_by_time_limit": ("ends_by_time_limit",),
     "body_of": ("body",),
     "admitted": ("outcome", "uncertain",),
+    "loose": ("loose",),
     "expiry": ("time", "delay", "arrives", "undecided_time",),
     "departed": ("stays", "moves", "ends", "touches", "reached", "edge",),
     "expired": ("clock", "body", "reached", "ends",),
@@ -353,6 +406,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "closing": ("closed", "position_claim", "velocity_claim", "spin_claim", "time_claim",),
     "reachable": ("reachable",),
     "plane_start": ("undecided_time",),
+    "tighten_impact": ("place_n", "place_s", "place_e", "pace_n", "pace_s", "pace_e", "turn_n", "turn_z", "position_bound", "velocity_bound", "spin_bound", "left_nx", "left_ny", "left_nz", "left_ex", "left_ey", "left_bend_s", "left_bend_e", "delay", "origin_s", "origin_e", "origin_u", "origin_v", "origin_w", "origin_t", "recent_s", "recent_e", "recent_u", "recent_v", "recent_w", "recent_t", "product_11", "product_12", "product_13", "product_14", "product_15", "product_16", "product_21", "product_22", "product_23", "product_24", "product_25", "product_26", "product_31", "product_32", "product_33", "product_34", "product_35", "product_36", "product_41", "product_42", "product_43", "product_44", "product_45", "product_46", "product_51", "product_52", "product_53", "product_54", "product_55", "product_56", "product_61", "product_62", "product_63", "product_64", "product_65", "product_66", "continued",),
     "impact": ("vx", "vy", "vz", "wx", "wy", "wz",),
     "carry_impact": ("place_n", "place_s", "place_e", "pace_n", "pace_s", "pace_e", "turn_n", "turn_z", "position_bound", "velocity_bound", "spin_bound", "left_nx", "left_ny", "left_nz", "left_ex", "left_ey", "left_bend_s", "left_bend_e", "delay",),
     "vary_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
@@ -420,7 +474,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
 }
 """Names of each kernel's outputs."""
 
-ROWS = 77
+ROWS = 125
 """Rows that a kernel writes into, at the most: what it computes on the way to its results."""
 
 FEW = 1 << 10
@@ -503,114 +557,120 @@ _k59 = _float64(3.0)
 _k60 = _scalar(9.313225746154785e-10)
 _k61 = _scalar(1.0000000000009095)
 _k62 = _float64(1.0000000000009095)
-_k63 = _scalar(0.6)
-_k64 = _scalar(_float32(1.0))
-_k65 = _scalar(_float32(1.9073486328125e-06))
-_k66 = _scalar(_float32(1.02))
-_k67 = _scalar(_float32(100.0))
-_k68 = _scalar(_float32(4194304.0))
+_k63 = _scalar(_float32(1.0))
+_k64 = _scalar(_float32(1.9073486328125e-06))
+_k65 = _scalar(_float32(1.02))
+_k66 = _scalar(_float32(100.0))
+_k67 = _scalar(_float32(4194304.0))
+_k68 = _scalar(_float32(9.5367431640625e-07))
 _k69 = _float32(0.6)
 _k70 = _float32(0.4)
 _k71 = _scalar(_float32(1.5543122344752192e-15))
 _k72 = _scalar(_float32(4.0))
 _k73 = _scalar(_float32(0.6))
 _k74 = _float32(1.0)
-_k75 = _float32(1.02)
-_k76 = _float32(1.9073486328125e-06)
-_k77 = _float32(100.0)
-_k78 = _float32(4194304.0)
-_k79 = _float32(1.5543122344752192e-15)
-_k80 = _float32(4.0)
-_k81 = _float64(0.0625)
-_k82 = _scalar(_float32(1.5))
-_k83 = _float32(16.0)
-_k84 = _scalar(_float32(1.125))
-_k85 = _scalar(_float32(1.7763568394002505e-15))
-_k86 = _float32(3.5)
-_k87 = _float32(7.0)
-_k88 = _float32(1.5)
-_k89 = _float32(1.125)
-_k90 = _float32(1.7763568394002505e-15)
-_k91 = _float64(1.00006103515625)
-_k92 = _float64(0.0001220703125)
-_k93 = _scalar(4.0)
-_k94 = _float64(0.000244140625)
-_k95 = _float64(1.52587890625e-05)
-_k96 = _float64(5.820766091346741e-11)
-_k97 = _float64(65536.0)
-_k98 = _float64(6.0003662109375)
-_k99 = _scalar(8.881784197001252e-16)
-_k100 = _scalar(2.409919865102884e-181)
-_k101 = _scalar(-_inf)
-_k102 = _float64(8.881784197001252e-16)
-_k103 = _float64(2.409919865102884e-181)
-_k104 = _float64(-_inf)
-_k105 = _scalar(5.0)
-_k106 = _scalar(2.220446049250313e-16)
-_k107 = _scalar(3.552713678800501e-15)
-_k108 = _float64(1.3323489447131243e-15)
-_k109 = _float64(5.00030517578125)
-_k110 = _float64(3.552713678800501e-15)
-_k111 = _float64(5.0)
-_k112 = _float64(2.220446049250313e-16)
-_k113 = _scalar(9.094947017729282e-13)
-_k114 = _float64(9.094947017729282e-13)
-_k115 = _float32(1.00006103515625)
-_k116 = _scalar(_float32(4.76837158203125e-07))
-_k117 = _scalar(_float32(9.5367431640625e-07))
-_k118 = _scalar(_float32(8.673617379884035e-19))
-_k119 = _scalar(_float32(-_inf))
-_k120 = _float32(0.0001220703125)
-_k121 = _scalar(_float32(1.000000238418579))
-_k122 = _float32(32.0)
-_k123 = _float32(4096.0)
-_k124 = _float32(0.000244140625)
-_k125 = _scalar(_float32(4096.0))
-_k126 = _float32(4.76837158203125e-07)
-_k127 = _float32(9.5367431640625e-07)
-_k128 = _float32(8.673617379884035e-19)
-_k129 = _float32(-_inf)
-_k130 = _float32(1.000000238418579)
-_k131 = _scalar(_float32(5.0))
-_k132 = _scalar(_float32(0.00390625))
-_k133 = _scalar(_float32(2.9802322387695312e-08))
-_k134 = _scalar(_float32(2.842170943040401e-14))
-_k135 = _float32(6.0003662109375)
-_k136 = _scalar(_float32(0.5))
-_k137 = _float32(5.0048828125)
-_k138 = _scalar(_float32(5.684341886080802e-14))
-_k139 = _float32(7.62939453125e-06)
-_k140 = _scalar(_float32(2.384185791015625e-07))
-_k141 = _float32(128.0)
-_k142 = _float32(2.842170943040401e-14)
-_k143 = _float32(0.00390625)
-_k144 = _float32(5.0)
-_k145 = _float32(2.9802322387695312e-08)
-_k146 = _float32(5.684341886080802e-14)
-_k147 = _float32(2.384185791015625e-07)
-_k148 = _float32(6.0)
-_k149 = _scalar(_float32(8.0))
-_k150 = _scalar(_float32(0.0001220703125))
-_k151 = _scalar(_float32(3.814697265625e-06))
-_k152 = _scalar(_float32(3.0))
-_k153 = _scalar(_float32(0.000244140625))
-_k154 = _float32(8.0)
-_k155 = _float32(3.814697265625e-06)
-_k156 = _float32(3.0)
-_k157 = _float64(8.940696716308594e-08)
-_k158 = _float32(1.00048828125)
-_k159 = _float32(0.00048828125)
-_k160 = _float32(0.125)
-_k161 = _float32(1.4143014047294855)
-_k162 = _float32(0.25)
-_k163 = _float32(1.52587890625e-05)
-_k164 = _scalar(2.222614453595284e-16)
-_k165 = _scalar(2.001953125)
-_k166 = _float64(6.667843360785852e-16)
-_k167 = _float64(8.890457814381136e-16)
-_k168 = _float64(2.222614453595284e-16)
-_k169 = _float64(2.001953125)
-_k170 = _float64(7.105427357601002e-15)
+_k75 = _scalar(_float32(0.421875))
+_k76 = _scalar(_float32(0.125))
+_k77 = _scalar(_float32(0.015625))
+_k78 = _scalar(_float32(0.25))
+_k79 = _float32(1.02)
+_k80 = _float32(1.9073486328125e-06)
+_k81 = _float32(100.0)
+_k82 = _float32(4194304.0)
+_k83 = _float32(9.5367431640625e-07)
+_k84 = _float32(1.5543122344752192e-15)
+_k85 = _float32(4.0)
+_k86 = _float32(0.421875)
+_k87 = _float32(0.125)
+_k88 = _float32(0.015625)
+_k89 = _float32(0.25)
+_k90 = _scalar(0.6)
+_k91 = _float64(0.0625)
+_k92 = _scalar(_float32(1.5))
+_k93 = _float32(16.0)
+_k94 = _scalar(_float32(1.125))
+_k95 = _scalar(_float32(1.7763568394002505e-15))
+_k96 = _float32(3.5)
+_k97 = _float32(7.0)
+_k98 = _float32(1.5)
+_k99 = _float32(1.125)
+_k100 = _float32(1.7763568394002505e-15)
+_k101 = _float64(1.00006103515625)
+_k102 = _float64(0.0001220703125)
+_k103 = _scalar(4.0)
+_k104 = _float64(0.000244140625)
+_k105 = _float64(1.52587890625e-05)
+_k106 = _float64(5.820766091346741e-11)
+_k107 = _float64(65536.0)
+_k108 = _float64(6.0003662109375)
+_k109 = _scalar(8.881784197001252e-16)
+_k110 = _scalar(2.409919865102884e-181)
+_k111 = _scalar(-_inf)
+_k112 = _float64(8.881784197001252e-16)
+_k113 = _float64(2.409919865102884e-181)
+_k114 = _float64(-_inf)
+_k115 = _scalar(5.0)
+_k116 = _scalar(2.220446049250313e-16)
+_k117 = _scalar(3.552713678800501e-15)
+_k118 = _float64(1.3323489447131243e-15)
+_k119 = _float64(5.00030517578125)
+_k120 = _float64(3.552713678800501e-15)
+_k121 = _float64(5.0)
+_k122 = _float64(2.220446049250313e-16)
+_k123 = _scalar(9.094947017729282e-13)
+_k124 = _float64(9.094947017729282e-13)
+_k125 = _float32(1.00006103515625)
+_k126 = _scalar(_float32(4.76837158203125e-07))
+_k127 = _scalar(_float32(8.673617379884035e-19))
+_k128 = _scalar(_float32(-_inf))
+_k129 = _float32(0.0001220703125)
+_k130 = _scalar(_float32(1.000000238418579))
+_k131 = _float32(32.0)
+_k132 = _float32(4096.0)
+_k133 = _float32(0.000244140625)
+_k134 = _scalar(_float32(4096.0))
+_k135 = _float32(4.76837158203125e-07)
+_k136 = _float32(8.673617379884035e-19)
+_k137 = _float32(-_inf)
+_k138 = _float32(1.000000238418579)
+_k139 = _scalar(_float32(5.0))
+_k140 = _scalar(_float32(0.00390625))
+_k141 = _scalar(_float32(2.9802322387695312e-08))
+_k142 = _scalar(_float32(2.842170943040401e-14))
+_k143 = _float32(6.0003662109375)
+_k144 = _scalar(_float32(0.5))
+_k145 = _float32(5.0048828125)
+_k146 = _scalar(_float32(5.684341886080802e-14))
+_k147 = _float32(7.62939453125e-06)
+_k148 = _scalar(_float32(2.384185791015625e-07))
+_k149 = _float32(128.0)
+_k150 = _float32(2.842170943040401e-14)
+_k151 = _float32(0.00390625)
+_k152 = _float32(5.0)
+_k153 = _float32(2.9802322387695312e-08)
+_k154 = _float32(5.684341886080802e-14)
+_k155 = _float32(2.384185791015625e-07)
+_k156 = _float32(6.0)
+_k157 = _scalar(_float32(8.0))
+_k158 = _scalar(_float32(0.0001220703125))
+_k159 = _scalar(_float32(3.814697265625e-06))
+_k160 = _scalar(_float32(3.0))
+_k161 = _scalar(_float32(0.000244140625))
+_k162 = _float32(8.0)
+_k163 = _float32(3.814697265625e-06)
+_k164 = _float32(3.0)
+_k165 = _float64(8.940696716308594e-08)
+_k166 = _float32(1.00048828125)
+_k167 = _float32(0.00048828125)
+_k168 = _float32(1.4143014047294855)
+_k169 = _float32(1.52587890625e-05)
+_k170 = _scalar(2.222614453595284e-16)
+_k171 = _scalar(2.001953125)
+_k172 = _float64(6.667843360785852e-16)
+_k173 = _float64(8.890457814381136e-16)
+_k174 = _float64(2.222614453595284e-16)
+_k175 = _float64(2.001953125)
+_k176 = _float64(7.105427357601002e-15)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -1317,6 +1377,14 @@ def without_bounds(unbounded: Any, uncertain: Any) -> tuple[Any, ...]:
     return _where(unbounded, 1.0, uncertain),
 
 
+def tightens(tightening: Any, touches: Any) -> tuple[Any, ...]:
+    """How the bounds on errors are carried over a contact.
+
+    Table 1. 4 operations: 2 comparisons, 2 conjunctions.
+    """
+    return _logical_and(touches, (tightening <= 0.0)), _logical_and(touches, (0.0 < tightening))
+
+
 def came_back(last: Any, which: Any) -> tuple[Any, ...]:
     """1 if the flight began on the surface that the ball meets.
 
@@ -1356,6 +1424,14 @@ def admitted(undecided_time: Any, valid: Any, permitted: Any, in_range: Any) -> 
     """
     _s0 = _logical_and(permitted, in_range)
     return _where(_logical_and(_s0, (0.0 < valid)), -1.0, 4.0), _where(_logical_and(_s0, (0.0 < undecided_time)), 1.0, 0.0)
+
+
+def loose(contacts: Any, outcome: Any, uncertain: Any) -> tuple[Any, ...]:
+    """Whether a shot that has ended may be certain with tighter bounds: it is not capped.
+
+    Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 complement.
+    """
+    return _logical_and(_logical_and((0.0 < uncertain), (0.0 < contacts)), _logical_not((outcome == 2.0))),
 
 
 def expiry(when: Any, which: Any, earliest_delay: Any, undecided_time: Any, time_error: Any, clock: Any, time_limit: Any) -> tuple[Any, ...]:
@@ -1441,29 +1517,13 @@ def plane_start(p_gravity: Any, undecided_time: Any, position_error: Any, veloci
     return _s1,
 
 
-def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, p_ball_radius: Any, p_restitution: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Velocity and spin after a contact, frame-free.
+def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, clock: Any, left_nx: Any, left_ny: Any, left_nz: Any, place_n: Any, place_s: Any, place_e: Any, pace_n: Any, pace_s: Any, pace_e: Any, turn_n: Any, turn_z: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any, tangent_x: Any, tangent_y: Any, bend_s: Any, bend_e: Any, left_ex: Any, left_ey: Any, left_bend_s: Any, left_bend_e: Any, sharpest_bend: Any, root_offset: Any, root_level: Any, normal_rounding: Any, normal_velocity: Any, back: Any, origin_s: Any, origin_e: Any, origin_u: Any, origin_v: Any, origin_w: Any, origin_t: Any, product_11: Any, product_12: Any, product_13: Any, product_14: Any, product_15: Any, product_16: Any, product_21: Any, product_22: Any, product_23: Any, product_24: Any, product_25: Any, product_26: Any, product_31: Any, product_32: Any, product_33: Any, product_34: Any, product_35: Any, product_36: Any, product_41: Any, product_42: Any, product_43: Any, product_44: Any, product_45: Any, product_46: Any, product_51: Any, product_52: Any, product_53: Any, product_54: Any, product_55: Any, product_56: Any, product_61: Any, product_62: Any, product_63: Any, product_64: Any, product_65: Any, product_66: Any, recent_s: Any, recent_e: Any, recent_u: Any, recent_v: Any, recent_w: Any, recent_t: Any, continued: Any, p_ball_radius: Any, p_restitution: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The same, through the product of derivatives since an earlier contact.
 
-    Eqs. 11-17, the frame eliminated. 63 operations: 10 additions, 12 subtractions, 40 multiplications, 1 division.
+    derivative of the frame-free Eq. 17, with roundings. 1610 operations: 503 additions, 71 subtractions, 767 multiplications, 7 divisions, 43 negations, 129 absolute values, 16 comparisons, 74 selections.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
-    _s0 = 0.4 * p_ball_radius
-    _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
-    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(_k63, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
-    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(_k63, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
-    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(_k63, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
-    _s5 = _add(_add(_multiply(nx, wx, _r4), _multiply(ny, wy, _r5), _r5), _multiply(nz, wz, _r4), _r4)
-    _s6 = 1.0 / p_ball_radius
-    return _s2 - _multiply(_multiply(p_restitution, nx, _r5), _s1, _r5), _s3 - _multiply(_multiply(p_restitution, ny, _r5), _s1, _r5), _s4 - _multiply(_multiply(p_restitution, nz, _r5), _s1, _r5), _multiply(nx, _s5, _r5) + _multiply(_s6, _subtract(_multiply(ny, _s4, _r0), _multiply(nz, _s3, _r6), _r6), _r6), _multiply(ny, _s5, _r6) + _multiply(_s6, _subtract(_multiply(nz, _s2, _r5), _multiply(nx, _s4, _r3), _r3), _r3), _multiply(nz, _s5, _r4) + _multiply(_s6, _subtract(_multiply(nx, _s3, _r2), _multiply(ny, _s2, _r1), _r1), _r1)
-
-
-def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, clock: Any, left_nx: Any, left_ny: Any, left_nz: Any, place_n: Any, place_s: Any, place_e: Any, pace_n: Any, pace_s: Any, pace_e: Any, turn_n: Any, turn_z: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any, tangent_x: Any, tangent_y: Any, bend_s: Any, bend_e: Any, left_ex: Any, left_ey: Any, left_bend_s: Any, left_bend_e: Any, sharpest_bend: Any, root_offset: Any, root_level: Any, normal_rounding: Any, normal_velocity: Any, back: Any, p_ball_radius: Any, p_restitution: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
-    """Bounds on errors after a contact, from those at the departure before it.
-
-    derivative of the frame-free Eq. 17, with roundings. 964 operations: 267 additions, 65 subtractions, 478 multiplications, 6 divisions, 37 negations, 84 absolute values, 8 comparisons, 19 selections.
-    """
-    t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity,)]
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40, _r41, _r42, _r43, _r44, _r45, _r46, _r47, _r48, _r49, _r50, _r51, _r52, _r53, _r54, _r55, _r56, _r57, _r58, _r59, _r60, _r61, _r62, _r63, _r64, _r65, _r66, _r67, _r68, _r69, _r70, _r71, _r72, _r73, _r74, _r75, _r76 = _halves(_room[:77])
+    t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, origin_s, origin_e, origin_u, origin_v, origin_w, origin_t, product_11, product_12, product_13, product_14, product_15, product_16, product_21, product_22, product_23, product_24, product_25, product_26, product_31, product_32, product_33, product_34, product_35, product_36, product_41, product_42, product_43, product_44, product_45, product_46, product_51, product_52, product_53, product_54, product_55, product_56, product_61, product_62, product_63, product_64, product_65, product_66, recent_s, recent_e, recent_u, recent_v, recent_w, recent_t, continued, p_ball_radius, p_restitution, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, origin_s, origin_e, origin_u, origin_v, origin_w, origin_t, product_11, product_12, product_13, product_14, product_15, product_16, product_21, product_22, product_23, product_24, product_25, product_26, product_31, product_32, product_33, product_34, product_35, product_36, product_41, product_42, product_43, product_44, product_45, product_46, product_51, product_52, product_53, product_54, product_55, product_56, product_61, product_62, product_63, product_64, product_65, product_66, recent_s, recent_e, recent_u, recent_v, recent_w, recent_t, continued, p_ball_radius, p_restitution, p_gravity,)]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40, _r41, _r42, _r43, _r44, _r45, _r46, _r47, _r48, _r49, _r50, _r51, _r52, _r53, _r54, _r55, _r56, _r57, _r58, _r59, _r60, _r61, _r62, _r63, _r64, _r65, _r66, _r67, _r68, _r69, _r70, _r71, _r72, _r73, _r74, _r75, _r76, _r77, _r78, _r79, _r80, _r81, _r82, _r83, _r84, _r85, _r86, _r87, _r88, _r89, _r90, _r91, _r92, _r93, _r94, _r95, _r96, _r97, _r98, _r99, _r100, _r101, _r102, _r103, _r104, _r105, _r106, _r107, _r108, _r109, _r110, _r111, _r112, _r113, _r114, _r115, _r116, _r117, _r118, _r119, _r120, _r121, _r122, _r123, _r124 = _halves(_room[:125])
     _s0 = _negative(_multiply(p_gravity, nz, _r0), _r0)
     _s1 = _absolute(vx, _r1)
     _s2 = _multiply(_k22, t, _r2)
@@ -1486,7 +1546,7 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s19 = _multiply(t, _s18, _r16)
     _s20 = _add(_add(_multiply(vx, left_nx, _r17), _multiply(vy, left_ny, _r18), _r18), _multiply(left_nz, _s15, _r12), _r12)
     _s21 = _multiply(left_bend_s, _s20, _r18)
-    _s22 = _add(_k64, _multiply(t, _s21, _r17), _r17)
+    _s22 = _add(_k63, _multiply(t, _s21, _r17), _r17)
     _s23 = _add(_add(_multiply(nx, _s12, _r19), _multiply(ny, _s13, _r20), _r20), _multiply(nz, _s16, _r19), _r19)
     _s24 = _add(_multiply(_s19, _s10, _r20), _multiply(_s22, _s23, _r21), _r21)
     _s25 = _add(_multiply(vx, left_ex, _r20), _multiply(vy, left_ey, _r22), _r22)
@@ -1496,7 +1556,7 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s29 = _multiply(_multiply(left_bend_e, _s25, _r22), _s16, _r22)
     _s30 = _multiply(t, _s29, _r25)
     _s31 = _multiply(left_bend_e, _subtract(_multiply(left_nz, _s17, _r13), _multiply(_s16, _s20, _r12), _r12), _r12)
-    _s32 = _add(_k64, _multiply(t, _s31, _r13), _r13)
+    _s32 = _add(_k63, _multiply(t, _s31, _r13), _r13)
     _s33 = _add(_multiply(nx, left_ex, _r26), _multiply(ny, left_ey, _r27), _r27)
     _s34 = _add(_add(_multiply(_s28, _s23, _r26), _multiply(_s30, _s10, _r28), _r28), _multiply(_s32, _s33, _r26), _r26)
     _s35 = _multiply(t, _s10, _r28)
@@ -1504,8 +1564,8 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s37 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s11, _r30), _r30), _multiply(place_s, _absolute(_s24, _r31), _r31), _r31), _multiply(place_e, _absolute(_s34, _r30), _r30), _r30), _multiply(pace_n, _absolute(_s35, _r31), _r31), _r31), _multiply(pace_s, _absolute(_s36, _r30), _r30), _r30)
     _s38 = _multiply(t, _s33, _r31)
     _s39 = _multiply(_s14, _add(_multiply(place_s, left_bend_s, _r32), _multiply(place_e, left_bend_e, _r33), _r33), _r33)
-    _s40 = _multiply(_k65, _add(_multiply(t, _s39, _r32), _s9, _r32), _r32)
-    _s41 = _add(_add(_add(root_offset, _multiply(_multiply(_k66, _multiply(sharpest_bend, _s9, _r34), _r34), _s9, _r34), _r34), _add(_s37, _multiply(pace_e, _absolute(_s38, _r35), _r35), _r35), _r35), _s40, _r35)
+    _s40 = _multiply(_k64, _add(_multiply(t, _s39, _r32), _s9, _r32), _r32)
+    _s41 = _add(_add(_add(root_offset, _multiply(_multiply(_k65, _multiply(sharpest_bend, _s9, _r34), _r34), _s9, _r34), _r34), _add(_s37, _multiply(pace_e, _absolute(_s38, _r35), _r35), _r35), _r35), _s40, _r35)
     _s42 = _absolute(normal_velocity, _r34)
     _s43 = _divide(_multiply(_k26, _s41, _r35), _s42, _r35)
     _s44 = _absolute(vz, _r30)
@@ -1515,19 +1575,389 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s48 = _add(_add(_s1, _s4, _r3), _s44, _r3)
     _s49 = _add(_s47, _s48, _r30)
     _s50 = _add(_multiply(_s43, _s49, _r1), _s9, _r1)
-    _s51 = _multiply(_k66, sharpest_bend, _r7)
+    _s51 = _multiply(_k65, sharpest_bend, _r7)
     _s52 = _multiply(_s51, _s50, _r38)
     _s53 = _subtract(_multiply(_k28, _add(_add(_multiply(_absolute(_s0, _r39), _s43, _r39), _multiply(_s52, _s49, _r40), _r40), _s46, _r40), _r40), _s42, _r40)
-    _s54 = _subtract(_multiply(_k67, _multiply(sharpest_bend, _s50, _r39), _r39), _k64, _r39)
+    _s54 = _subtract(_multiply(_k66, _multiply(sharpest_bend, _s50, _r39), _r39), _k63, _r39)
     _s55 = _select(_s53 < _s54, _s54, _s53, _r41)
     _s56 = _add(_multiply(_s6, _multiply(_s43, _s43, _r42), _r42), _multiply(_s43, _s46, _r36), _r36)
     _s57 = _divide(_add(_multiply(_s52, _s50, _r42), _s56, _r42), _s42, _r42)
     _s58 = _add(_multiply(_s57, _s48, _r43), _s56, _r43)
     _s59 = _add(_add(root_level, _s58, _r36), _add(_add(_multiply(_absolute(nx, _r44), _s3, _r44), _multiply(_absolute(ny, _r45), _s5, _r45), _r45), _multiply(_absolute(nz, _r44), _s8, _r44), _r44), _r44)
     _s60 = _multiply(bend_s, _s59, _r36)
-    _s61 = _subtract(_multiply(_k68, _add(_multiply(place_n, left_bend_s, _r45), _s60, _r45), _r45), _k64, _r45)
-    _s62 = _select(_s55 < _s61, _s61, _s55, _r46) <= _k29
-    _s63 = _result(_s62, _multiply(_k27, _s59, _r44), _k30, _r0)
+    _s61 = _subtract(_multiply(_k67, _add(_multiply(place_n, left_bend_s, _r45), _s60, _r45), _r45), _k63, _r45)
+    _s62 = _multiply(_k27, _s59, _r44)
+    _s63 = _select(_s55 < _s61, _s61, _s55, _r46) <= _k29
+    _s64 = _divide(_k63, normal_velocity, _r46)
+    _s65 = _negative(_multiply(_s64, _s38, _r31), _r31)
+    _s66 = _multiply(nz, tangent_y, _r45)
+    _s67 = _negative(_multiply(nz, tangent_x, _r41), _r41)
+    _s68 = _subtract(_multiply(ny, tangent_x, _r39), _multiply(nx, tangent_y, _r40), _r40)
+    _s69 = _add(_add(_multiply(vx, _s66, _r39), _multiply(vy, _s67, _r47), _r47), _multiply(vz, _s68, _r39), _r39)
+    _s70 = _add(_multiply(left_ex, _s66, _r47), _multiply(left_ey, _s67, _r48), _r48)
+    _s71 = _add(_multiply(_s65, _s69, _r47), _multiply(t, _s70, _r49), _r49)
+    _s72 = _k29 < continued
+    _s73 = _select(_s72, product_51, _k29, _r47)
+    _s74 = _negative(_multiply(_s64, _s35, _r28), _r28)
+    _s75 = _add(_add(_multiply(left_nx, _s66, _r50), _multiply(left_ny, _s67, _r51), _r51), _multiply(left_nz, _s68, _r50), _r50)
+    _s76 = _add(_multiply(_s74, _s69, _r51), _multiply(t, _s75, _r52), _r52)
+    _s77 = _select(_s72, product_31, _k29, _r51)
+    _s78 = _negative(_multiply(_s64, _s36, _r29), _r29)
+    _s79 = _add(_add(_multiply(_s67, _s13, _r53), _multiply(_s66, _s12, _r54), _r54), _multiply(_s68, _s16, _r53), _r53)
+    _s80 = _add(_multiply(_s78, _s69, _r54), _multiply(t, _s79, _r55), _r55)
+    _s81 = _select(_s72, product_41, _k29, _r54)
+    _s82 = _negative(_multiply(_s64, _s24, _r21), _r21)
+    _s83 = _add(_multiply(_s82, _s69, _r56), _add(_multiply(_s19, _s75, _r57), _multiply(_s22, _s79, _r58), _r58), _r58)
+    _s84 = _select(_s72, product_11, _k63, _r56)
+    _s85 = _negative(_multiply(_s64, _s34, _r26), _r26)
+    _s86 = _add(_multiply(_s85, _s69, _r57), _add(_add(_multiply(_s28, _s79, _r59), _multiply(_s30, _s75, _r60), _r60), _multiply(_s32, _s70, _r59), _r59), _r59)
+    _s87 = _select(_s72, product_21, _k29, _r57)
+    _s88 = _add(_add(_add(_multiply(_s71, _s73, _r60), _multiply(_s76, _s77, _r61), _r61), _multiply(_s80, _s81, _r60), _r60), _multiply(_s83, _s84, _r61), _r61) + _multiply(_s86, _s87, _r60)
+    _s89 = _result(_s72, origin_s, place_s, _r0)
+    _s90 = _select(_s72, product_52, _k29, _r60)
+    _s91 = _select(_s72, product_32, _k29, _r61)
+    _s92 = _select(_s72, product_42, _k29, _r62)
+    _s93 = _select(_s72, product_12, _k29, _r63)
+    _s94 = _select(_s72, product_22, _k63, _r64)
+    _s95 = _add(_add(_add(_multiply(_s71, _s90, _r65), _multiply(_s76, _s91, _r66), _r66), _multiply(_s80, _s92, _r65), _r65), _multiply(_s83, _s93, _r66), _r66) + _multiply(_s86, _s94, _r65)
+    _s96 = _result(_s72, origin_e, place_e, _r0)
+    _s97 = _select(_s72, product_53, _k29, _r65)
+    _s98 = _select(_s72, product_33, _k63, _r66)
+    _s99 = _select(_s72, product_43, _k29, _r67)
+    _s100 = _select(_s72, product_13, _k29, _r68)
+    _s101 = _select(_s72, product_23, _k29, _r69)
+    _s102 = _add(_add(_add(_multiply(_s71, _s97, _r70), _multiply(_s76, _s98, _r71), _r71), _multiply(_s80, _s99, _r70), _r70), _multiply(_s83, _s100, _r71), _r71) + _multiply(_s86, _s101, _r70)
+    _s103 = _result(_s72, origin_u, pace_n, _r0)
+    _s104 = _select(_s72, product_54, _k29, _r70)
+    _s105 = _select(_s72, product_34, _k29, _r71)
+    _s106 = _select(_s72, product_44, _k63, _r72)
+    _s107 = _select(_s72, product_14, _k29, _r73)
+    _s108 = _select(_s72, product_24, _k29, _r74)
+    _s109 = _add(_add(_add(_multiply(_s71, _s104, _r75), _multiply(_s76, _s105, _r76), _r76), _multiply(_s80, _s106, _r75), _r75), _multiply(_s83, _s107, _r76), _r76) + _multiply(_s86, _s108, _r75)
+    _s110 = _result(_s72, origin_v, pace_s, _r0)
+    _s111 = _select(_s72, product_55, _k63, _r75)
+    _s112 = _select(_s72, product_35, _k29, _r76)
+    _s113 = _select(_s72, product_45, _k29, _r77)
+    _s114 = _select(_s72, product_15, _k29, _r78)
+    _s115 = _select(_s72, product_25, _k29, _r79)
+    _s116 = _add(_add(_add(_multiply(_s71, _s111, _r80), _multiply(_s76, _s112, _r81), _r81), _multiply(_s80, _s113, _r80), _r80), _multiply(_s83, _s114, _r81), _r81) + _multiply(_s86, _s115, _r80)
+    _s117 = _result(_s72, origin_w, pace_e, _r0)
+    _s118 = _add(_add(_add(_add(_multiply(_absolute(_s88, _r80), _s89, _r80), _multiply(_absolute(_s95, _r81), _s96, _r81), _r81), _multiply(_absolute(_s102, _r80), _s103, _r80), _r80), _multiply(_absolute(_s109, _r81), _s110, _r81), _r81), _multiply(_absolute(_s116, _r80), _s117, _r80), _r80)
+    _s119 = _select(_s72, product_56, _k29, _r81)
+    _s120 = _select(_s72, product_36, _k29, _r82)
+    _s121 = _select(_s72, product_46, _k29, _r83)
+    _s122 = _select(_s72, product_16, _k29, _r84)
+    _s123 = _select(_s72, product_26, _k29, _r85)
+    _s124 = _add(_add(_add(_multiply(_s71, _s119, _r86), _multiply(_s76, _s120, _r87), _r87), _multiply(_s80, _s121, _r86), _r86), _multiply(_s83, _s122, _r87), _r87) + _multiply(_s86, _s123, _r86)
+    _s125 = _result(_s72, origin_t, turn_n, _r0)
+    _s126 = _add(_s118, _multiply(_absolute(_s124, _r86), _s125, _r86), _r86)
+    _s127 = _absolute(_s69, _r80)
+    _s128 = _divide(_add(root_offset, _s40, _r87), _s42, _r87)
+    _s129 = _add(_multiply(_s127, _s128, _r88), _add(_add(_multiply(_absolute(_s67, _r89), _s5, _r89), _multiply(_absolute(_s66, _r90), _s3, _r90), _r90), _multiply(_absolute(_s68, _r89), _s8, _r89), _r89), _r89)
+    _s130 = _add(_add(_s58, _multiply(_k64, _s50, _r1), _r1), _s40, _r1)
+    _s131 = _negative(_multiply(_s64, _s11, _r46), _r46)
+    _s132 = _add(_multiply(_s131, _s69, _r8), _s75, _r8)
+    _s133 = _add(_multiply(_k68, pace_e, _r32), _select(_s72, recent_w, _k29, _r88), _r88)
+    _s134 = _add(_multiply(_k68, pace_n, _r32), _select(_s72, recent_u, _k29, _r90), _r90)
+    _s135 = _add(_multiply(_k68, pace_s, _r32), _select(_s72, recent_v, _k29, _r91), _r91)
+    _s136 = _add(_multiply(_k68, place_s, _r32), _select(_s72, recent_s, _k29, _r92), _r92)
+    _s137 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s132, _r32), _r32), _multiply(_absolute(_s71, _r93), _s133, _r93), _r93), _multiply(_absolute(_s76, _r32), _s134, _r32), _r32), _multiply(_absolute(_s80, _r93), _s135, _r93), _r93), _multiply(_absolute(_s83, _r32), _s136, _r32), _r32)
+    _s138 = _add(_multiply(_k68, place_e, _r93), _select(_s72, recent_e, _k29, _r94), _r94)
+    _s139 = _k27 * _add(_add(_s129, _s130, _r93), _add(_s137, _multiply(_absolute(_s86, _r95), _s138, _r95), _r95), _r95)
+    _s140 = _multiply(_k27, _add(_s126, _s139, _r95), _r95)
+    _s141 = _add(_multiply(vx, tangent_x, _r93), _multiply(vy, tangent_y, _r32), _r32)
+    _s142 = _add(_multiply(tangent_x, left_ex, _r93), _multiply(tangent_y, left_ey, _r96), _r96)
+    _s143 = _add(_multiply(_s65, _s141, _r93), _multiply(t, _s142, _r97), _r97)
+    _s144 = _add(_multiply(left_nx, tangent_x, _r93), _multiply(left_ny, tangent_y, _r98), _r98)
+    _s145 = _add(_multiply(_s74, _s141, _r93), _multiply(t, _s144, _r99), _r99)
+    _s146 = _add(_multiply(tangent_x, _s12, _r93), _multiply(tangent_y, _s13, _r100), _r100)
+    _s147 = _add(_multiply(_s78, _s141, _r93), _multiply(t, _s146, _r101), _r101)
+    _s148 = _add(_multiply(_s82, _s141, _r93), _add(_multiply(_s19, _s144, _r16), _multiply(_s22, _s146, _r17), _r17), _r17)
+    _s149 = _add(_multiply(_s85, _s141, _r93), _add(_add(_multiply(_s28, _s146, _r24), _multiply(_s30, _s144, _r25), _r25), _multiply(_s32, _s142, _r13), _r13), _r13)
+    _s150 = _add(_add(_add(_multiply(_s143, _s73, _r93), _multiply(_s145, _s77, _r25), _r25), _multiply(_s147, _s81, _r93), _r93), _multiply(_s148, _s84, _r25), _r25) + _multiply(_s149, _s87, _r93)
+    _s151 = _add(_add(_add(_multiply(_s143, _s90, _r93), _multiply(_s145, _s91, _r25), _r25), _multiply(_s147, _s92, _r93), _r93), _multiply(_s148, _s93, _r25), _r25) + _multiply(_s149, _s94, _r93)
+    _s152 = _add(_add(_add(_multiply(_s143, _s97, _r93), _multiply(_s145, _s98, _r25), _r25), _multiply(_s147, _s99, _r93), _r93), _multiply(_s148, _s100, _r25), _r25) + _multiply(_s149, _s101, _r93)
+    _s153 = _add(_add(_add(_multiply(_s143, _s104, _r93), _multiply(_s145, _s105, _r25), _r25), _multiply(_s147, _s106, _r93), _r93), _multiply(_s148, _s107, _r25), _r25) + _multiply(_s149, _s108, _r93)
+    _s154 = _add(_add(_add(_multiply(_s143, _s111, _r93), _multiply(_s145, _s112, _r25), _r25), _multiply(_s147, _s113, _r93), _r93), _multiply(_s148, _s114, _r25), _r25) + _multiply(_s149, _s115, _r93)
+    _s155 = _add(_add(_add(_add(_multiply(_absolute(_s150, _r93), _s89, _r93), _multiply(_absolute(_s151, _r25), _s96, _r25), _r25), _multiply(_absolute(_s152, _r93), _s103, _r93), _r93), _multiply(_absolute(_s153, _r25), _s110, _r25), _r25), _multiply(_absolute(_s154, _r93), _s117, _r93), _r93)
+    _s156 = _add(_add(_add(_multiply(_s143, _s119, _r25), _multiply(_s145, _s120, _r24), _r24), _multiply(_s147, _s121, _r25), _r25), _multiply(_s148, _s122, _r24), _r24) + _multiply(_s149, _s123, _r25)
+    _s157 = _add(_s155, _multiply(_absolute(_s156, _r25), _s125, _r25), _r25)
+    _s158 = _absolute(_s141, _r93)
+    _s159 = _absolute(_k37)
+    _s160 = _add(_multiply(_s158, _s128, _r24), _add(_add(_multiply(_s159, _s8, _r5), _multiply(_absolute(tangent_x, _r16), _s3, _r16), _r16), _multiply(_absolute(tangent_y, _r5), _s5, _r5), _r5), _r5)
+    _s161 = _add(_multiply(_s131, _s141, _r24), _s144, _r24)
+    _s162 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s161, _r16), _r16), _multiply(_absolute(_s143, _r6), _s133, _r6), _r6), _multiply(_absolute(_s145, _r16), _s134, _r16), _r16), _multiply(_absolute(_s147, _r6), _s135, _r6), _r6), _multiply(_absolute(_s148, _r16), _s136, _r16), _r16)
+    _s163 = _k27 * _add(_add(_s160, _s130, _r6), _add(_s162, _multiply(_absolute(_s149, _r4), _s138, _r4), _r4), _r4)
+    _s164 = _multiply(_k27, _add(_s157, _s163, _r4), _r4)
+    _s165 = _negative(_multiply(bend_s, _s69, _r6), _r6)
+    _s166 = _multiply(bend_e, _s68, _r16)
+    _s167 = _multiply(_s166, _s141, _r102)
+    _s168 = _negative(_multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s0, _s65, _r103), _s33, _r103), _multiply(_s165, _s71, _r104), _r104), _multiply(_s167, _s143, _r103), _r103), _r103), _r103)
+    _s169 = _negative(_multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s0, _s74, _r104), _s10, _r104), _multiply(_s165, _s76, _r105), _r105), _multiply(_s167, _s145, _r104), _r104), _r104), _r104)
+    _s170 = _negative(_multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s0, _s78, _r105), _s23, _r105), _multiply(_s165, _s80, _r106), _r106), _multiply(_s167, _s147, _r105), _r105), _r105), _r105)
+    _s171 = _multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s0, _s82, _r106), _add(_multiply(_s21, _s23, _r107), _multiply(_s18, _s10, _r108), _r108), _r108), _multiply(_s165, _s83, _r106), _r106), _multiply(_s167, _s148, _r108), _r108), _r108)
+    _s172 = _negative(_s171, _r108)
+    _s173 = _subtract(_subtract(_add(_multiply(_s0, _s85, _r106), _add(_add(_multiply(_s31, _s33, _r107), _multiply(_s27, _s23, _r109), _r109), _multiply(_s29, _s10, _r107), _r107), _r107), _multiply(_s165, _s86, _r106), _r106), _multiply(_s167, _s149, _r107), _r107)
+    _s174 = _negative(_multiply(p_restitution, _s173, _r107), _r107)
+    _s175 = _add(_add(_add(_multiply(_s168, _s73, _r106), _multiply(_s169, _s77, _r109), _r109), _multiply(_s170, _s81, _r106), _r106), _multiply(_s172, _s84, _r109), _r109) + _multiply(_s174, _s87, _r106)
+    _s176 = _add(_add(_add(_multiply(_s168, _s90, _r106), _multiply(_s169, _s91, _r109), _r109), _multiply(_s170, _s92, _r106), _r106), _multiply(_s172, _s93, _r109), _r109) + _multiply(_s174, _s94, _r106)
+    _s177 = _add(_add(_add(_multiply(_s168, _s97, _r106), _multiply(_s169, _s98, _r109), _r109), _multiply(_s170, _s99, _r106), _r106), _multiply(_s172, _s100, _r109), _r109) + _multiply(_s174, _s101, _r106)
+    _s178 = _add(_add(_add(_multiply(_s168, _s104, _r106), _multiply(_s169, _s105, _r109), _r109), _multiply(_s170, _s106, _r106), _r106), _multiply(_s172, _s107, _r109), _r109) + _multiply(_s174, _s108, _r106)
+    _s179 = _add(_add(_add(_multiply(_s168, _s111, _r106), _multiply(_s169, _s112, _r109), _r109), _multiply(_s170, _s113, _r106), _r106), _multiply(_s172, _s114, _r109), _r109) + _multiply(_s174, _s115, _r106)
+    _s180 = _add(_add(_add(_add(_multiply(_absolute(_s175, _r106), _s89, _r106), _multiply(_absolute(_s176, _r109), _s96, _r109), _r109), _multiply(_absolute(_s177, _r106), _s103, _r106), _r106), _multiply(_absolute(_s178, _r109), _s110, _r109), _r109), _multiply(_absolute(_s179, _r106), _s117, _r106), _r106)
+    _s181 = _add(_add(_add(_multiply(_s168, _s119, _r109), _multiply(_s169, _s120, _r110), _r110), _multiply(_s170, _s121, _r109), _r109), _multiply(_s172, _s122, _r110), _r110) + _multiply(_s174, _s123, _r109)
+    _s182 = _add(_s180, _multiply(_absolute(_s181, _r109), _s125, _r109), _r109)
+    _s183 = _add(_multiply(p_gravity, _s128, _r87), _s45, _r87)
+    _s184 = _add(_s183, _add(_multiply(_absolute(_s165, _r11), _s129, _r11), _multiply(_absolute(_s167, _r106), _s160, _r106), _r106), _r106)
+    _s185 = _k69 + p_restitution
+    _s186 = _k70 * p_ball_radius
+    _s187 = _add(normal_rounding, _s60, _r11)
+    _s188 = _add(_add(_absolute(wx, _r110), _absolute(wy, _r111), _r111), _absolute(wz, _r110), _r110)
+    _s189 = _multiply(_multiply(_s186, _s187, _r111), _s188, _r111)
+    _s190 = _multiply(p_ball_radius, _s188, _r112)
+    _s191 = _add(_s190, _s48, _r113)
+    _s192 = _add(_k24, _multiply(_k71, _s191, _r114), _r114)
+    _s193 = _multiply(p_gravity, _s57, _r42)
+    _s194 = _k36 * _s185
+    _s195 = _multiply(_add(bend_s, bend_e, _r115), _s130, _r115)
+    _s196 = _multiply(_s52, _s52, _r1)
+    _s197 = _add(_multiply(_s51, _s58, _r43), _multiply(_k22, _s196, _r7), _r7)
+    _s198 = _add(_add(_add(_s193, _multiply(_s52, _add(_multiply(spin_bound, _s186, _r43), _multiply(_s194, _s47, _r116), _r116), _r116), _r116), _multiply(_s195, _s191, _r43), _r43), _multiply(_s197, _add(_multiply(_s186, _s188, _r116), _multiply(_s194, _s48, _r117), _r117), _r117), _r117)
+    _s199 = _multiply(_k64, _add(_add(_multiply(p_ball_radius, spin_bound, _r43), _multiply(_s52, _add(_s190, _multiply(_k72, _s48, _r116), _r116), _r116), _r116), _multiply(_k22, _add(_s39, _s47, _r33), _r33), _r33), _r33)
+    _s200 = _add(_add(_s198, _multiply(_multiply(_s196, _s185, _r116), _s49, _r116), _r116), _s199, _r116)
+    _s201 = _add(_add(_multiply(p_restitution, _s184, _r117), _multiply(_s185, _add(_multiply(normal_rounding, _add(_s48, _s42, _r30), _r30), _multiply(_multiply(_k22, _s60, _r36), _s42, _r36), _r36), _r36), _r36), _add(_add(_s189, _s192, _r117), _s200, _r117), _r117)
+    _s202 = _absolute(_negative(_multiply(p_restitution, _subtract(_subtract(_multiply(_s0, _s131, _r0), _multiply(_s165, _s132, _r6), _r6), _multiply(_s167, _s161, _r102), _r102), _r102), _r102), _r102)
+    _s203 = _add(_add(_add(_add(_multiply(place_n, _s202, _r102), _multiply(_absolute(_s168, _r103), _s133, _r103), _r103), _multiply(_absolute(_s169, _r104), _s134, _r104), _r104), _multiply(_absolute(_s170, _r105), _s135, _r105), _r105), _multiply(_absolute(_s172, _r108), _s136, _r108), _r108)
+    _s204 = _k27 * _add(_s201, _add(_s203, _multiply(_absolute(_s174, _r107), _s138, _r107), _r107), _r107)
+    _s205 = _multiply(_k27, _add(_s182, _s204, _r107), _r107)
+    _s206 = _multiply(_s186, _s144, _r117)
+    _s207 = _select(_s72, product_61, _k29, _r108)
+    _s208 = _add(_add(_multiply(wx, _s66, _r45), _multiply(wy, _s67, _r41), _r41), _multiply(wz, _s68, _r45), _r45)
+    _s209 = _add(_add(_multiply(nx, wx, _r41), _multiply(ny, wy, _r105), _r105), _multiply(nz, wz, _r41), _r41)
+    _s210 = _multiply(_s68, _s209, _r105)
+    _s211 = _multiply(bend_e, _subtract(_multiply(nz, _s208, _r104), _s210, _r104), _r104)
+    _s212 = _negative(_multiply(p_gravity, _s68, _r103), _r103)
+    _s213 = _multiply(bend_s, normal_velocity, _r102)
+    _s214 = _multiply(nz, bend_e, _r6)
+    _s215 = _negative(_multiply(_s214, _s141, _r0), _r0)
+    _s216 = _add(_multiply(_s186, _negative(_multiply(_s211, _s145, _r36), _r36), _r36), _multiply(_k73, _subtract(_subtract(_add(_multiply(_s212, _s74, _r28), _s75, _r28), _multiply(_s213, _s76, _r30), _r30), _multiply(_s215, _s145, _r28), _r28), _r28), _r28)
+    _s217 = _k74 / p_ball_radius
+    _s218 = _add(_multiply(_s186, _subtract(_negative(_multiply(_s217, _s146, _r36), _r36), _multiply(_s211, _s143, _r30), _r30), _r30), _multiply(_k73, _subtract(_subtract(_add(_multiply(_s212, _s65, _r31), _s70, _r31), _multiply(_s213, _s71, _r36), _r36), _multiply(_s215, _s143, _r31), _r31), _r31), _r31)
+    _s219 = _add(_multiply(_s186, _subtract(_multiply(_s217, _s142, _r30), _multiply(_s211, _s147, _r36), _r36), _r36), _multiply(_k73, _subtract(_subtract(_add(_multiply(_s212, _s78, _r29), _s79, _r29), _multiply(_s213, _s80, _r30), _r30), _multiply(_s215, _s147, _r29), _r29), _r29), _r29)
+    _s220 = _add(_add(_multiply(wx, left_nx, _r36), _multiply(wy, left_ny, _r30), _r30), _multiply(wz, left_nz, _r36), _r36)
+    _s221 = _multiply(left_bend_s, _s220, _r30)
+    _s222 = _add(_add(_multiply(wx, _s12, _r9), _multiply(wy, _s13, _r10), _r10), _multiply(wz, _s16, _r9), _r9)
+    _s223 = _negative(_multiply(left_bend_s, _s222, _r10), _r10)
+    _s224 = _multiply(_k73, _subtract(_subtract(_add(_multiply(_s212, _s82, _r21), _add(_multiply(_s21, _s79, _r43), _multiply(_s18, _s75, _r112), _r112), _r112), _multiply(_s213, _s83, _r21), _r21), _multiply(_s215, _s148, _r112), _r112), _r112)
+    _s225 = _add(_multiply(_s186, _subtract(_add(_multiply(_s221, _s146, _r21), _multiply(_s223, _s144, _r43), _r43), _multiply(_s211, _s148, _r21), _r21), _r21), _s224, _r112)
+    _s226 = _multiply(left_bend_e, _subtract(_multiply(left_nz, _s222, _r9), _multiply(_s16, _s220, _r36), _r36), _r36)
+    _s227 = _add(_multiply(wx, left_ex, _r9), _multiply(wy, left_ey, _r21), _r21)
+    _s228 = _negative(_multiply(_s26, _s227, _r20), _r20)
+    _s229 = _multiply(_multiply(left_bend_e, _s227, _r21), _s16, _r21)
+    _s230 = _subtract(_subtract(_add(_multiply(_s212, _s85, _r26), _add(_add(_multiply(_s31, _s70, _r14), _multiply(_s27, _s79, _r9), _r9), _multiply(_s29, _s75, _r14), _r14), _r14), _multiply(_s213, _s86, _r26), _r26), _multiply(_s215, _s149, _r14), _r14)
+    _s231 = _add(_multiply(_s186, _subtract(_add(_add(_multiply(_s226, _s142, _r26), _multiply(_s228, _s146, _r9), _r9), _multiply(_s229, _s144, _r26), _r26), _multiply(_s211, _s149, _r9), _r9), _r9), _multiply(_k73, _s230, _r14), _r14)
+    _s232 = _add(_add(_add(_add(_multiply(_s206, _s207, _r9), _multiply(_s216, _s77, _r26), _r26), _multiply(_s218, _s73, _r9), _r9), _multiply(_s219, _s81, _r26), _r26), _multiply(_s225, _s84, _r9), _r9) + _multiply(_s231, _s87, _r26)
+    _s233 = _select(_s72, product_62, _k29, _r26)
+    _s234 = _add(_add(_add(_add(_multiply(_s206, _s233, _r9), _multiply(_s216, _s91, _r43), _r43), _multiply(_s218, _s90, _r9), _r9), _multiply(_s219, _s92, _r43), _r43), _multiply(_s225, _s93, _r9), _r9) + _multiply(_s231, _s94, _r43)
+    _s235 = _select(_s72, product_63, _k29, _r43)
+    _s236 = _add(_add(_add(_add(_multiply(_s206, _s235, _r9), _multiply(_s216, _s98, _r118), _r118), _multiply(_s218, _s97, _r9), _r9), _multiply(_s219, _s99, _r118), _r118), _multiply(_s225, _s100, _r9), _r9) + _multiply(_s231, _s101, _r118)
+    _s237 = _select(_s72, product_64, _k29, _r118)
+    _s238 = _add(_add(_add(_add(_multiply(_s206, _s237, _r9), _multiply(_s216, _s105, _r119), _r119), _multiply(_s218, _s104, _r9), _r9), _multiply(_s219, _s106, _r119), _r119), _multiply(_s225, _s107, _r9), _r9) + _multiply(_s231, _s108, _r119)
+    _s239 = _select(_s72, product_65, _k29, _r119)
+    _s240 = _add(_add(_add(_add(_multiply(_s206, _s239, _r9), _multiply(_s216, _s112, _r120), _r120), _multiply(_s218, _s111, _r9), _r9), _multiply(_s219, _s113, _r120), _r120), _multiply(_s225, _s114, _r9), _r9) + _multiply(_s231, _s115, _r120)
+    _s241 = _add(_add(_add(_add(_multiply(_absolute(_s232, _r120), _s89, _r120), _multiply(_absolute(_s234, _r9), _s96, _r9), _r9), _multiply(_absolute(_s236, _r120), _s103, _r120), _r120), _multiply(_absolute(_s238, _r9), _s110, _r9), _r9), _multiply(_absolute(_s240, _r120), _s117, _r120), _r120)
+    _s242 = _select(_s72, product_66, _k63, _r9)
+    _s243 = _add(_add(_add(_add(_multiply(_s206, _s242, _r121), _multiply(_s216, _s120, _r122), _r122), _multiply(_s218, _s119, _r121), _r121), _multiply(_s219, _s121, _r122), _r122), _multiply(_s225, _s122, _r121), _r121) + _multiply(_s231, _s123, _r122)
+    _s244 = _add(_s241, _multiply(_absolute(_s243, _r122), _s125, _r122), _r122)
+    _s245 = _multiply(_s159, _s129, _r120)
+    _s246 = _add(_s245, _multiply(_absolute(_s211, _r121), _s160, _r121), _r121)
+    _s247 = _add(_s183, _add(_multiply(_absolute(_s213, _r123), _s129, _r123), _multiply(_absolute(_s215, _r124), _s160, _r124), _r124), _r124)
+    _s248 = _add(_add(_add(_multiply(_multiply(normal_rounding, _s185, _r123), _s42, _r123), _s189, _r123), _s192, _r123), _s200, _r123)
+    _s249 = _absolute(_add(_multiply(_s186, _negative(_multiply(_s211, _s161, _r104), _r104), _r104), _multiply(_k73, _subtract(_subtract(_multiply(_s212, _s131, _r103), _multiply(_s213, _s132, _r102), _r102), _multiply(_s215, _s161, _r0), _r0), _r0), _r0), _r0)
+    _s250 = _add(_multiply(_k68, turn_n, _r104), _select(_s72, recent_t, _k29, _r102), _r102)
+    _s251 = _add(_add(_add(_multiply(place_n, _s249, _r0), _multiply(turn_z, _absolute(_multiply(_s186, _s142, _r104), _r104), _r104), _r104), _multiply(turn_z, _absolute(_multiply(_s186, _s146, _r0), _r0), _r0), _r0), _multiply(_absolute(_s206, _r117), _s250, _r117), _r117)
+    _s252 = _add(_add(_add(_add(_s251, _multiply(_absolute(_s216, _r28), _s134, _r28), _r28), _multiply(_absolute(_s218, _r31), _s133, _r31), _r31), _multiply(_absolute(_s219, _r29), _s135, _r29), _r29), _multiply(_absolute(_s225, _r112), _s136, _r112), _r112)
+    _s253 = _k27 * _add(_add(_add(_multiply(_s186, _s246, _r29), _multiply(_k73, _s247, _r31), _r31), _s248, _r31), _add(_s252, _multiply(_absolute(_s231, _r14), _s138, _r14), _r14), _r14)
+    _s254 = _multiply(_k27, _add(_s244, _s253, _r14), _r14)
+    _s255 = _negative(_multiply(_s186, _s75, _r31), _r31)
+    _s256 = _multiply(bend_e, _subtract(_multiply(nz, _s69, _r112), _multiply(normal_velocity, _s68, _r29), _r29), _r29)
+    _s257 = _multiply(bend_s, _s209, _r41)
+    _s258 = _add(_multiply(wx, tangent_x, _r112), _multiply(wy, tangent_y, _r28), _r28)
+    _s259 = _negative(_multiply(_s214, _s258, _r112), _r112)
+    _s260 = _subtract(_multiply(_k73, _subtract(_s144, _multiply(_s256, _s145, _r117), _r117), _r117), _multiply(_s186, _negative(_add(_multiply(_s257, _s76, _r0), _multiply(_s259, _s145, _r104), _r104), _r104), _r104), _r104)
+    _s261 = _subtract(_multiply(_k73, _subtract(_s142, _multiply(_s256, _s143, _r117), _r117), _r117), _multiply(_s186, _subtract(_subtract(_negative(_multiply(_s217, _s79, _r0), _r0), _multiply(_s257, _s71, _r103), _r103), _multiply(_s259, _s143, _r0), _r0), _r0), _r0)
+    _s262 = _subtract(_multiply(_k73, _subtract(_s146, _multiply(_s256, _s147, _r117), _r117), _r117), _multiply(_s186, _subtract(_subtract(_multiply(_s217, _s70, _r103), _multiply(_s257, _s80, _r46), _r46), _multiply(_s259, _s147, _r103), _r103), _r103), _r103)
+    _s263 = _subtract(_multiply(_k73, _subtract(_add(_multiply(_s21, _s146, _r18), _multiply(_s18, _s144, _r15), _r15), _multiply(_s256, _s148, _r18), _r18), _r18), _multiply(_s186, _subtract(_subtract(_add(_multiply(_s221, _s79, _r15), _multiply(_s223, _s75, _r117), _r117), _multiply(_s257, _s83, _r15), _r15), _multiply(_s259, _s148, _r117), _r117), _r117), _r117)
+    _s264 = _multiply(_s186, _subtract(_subtract(_add(_add(_multiply(_s226, _s70, _r18), _multiply(_s228, _s79, _r15), _r15), _multiply(_s229, _s75, _r50), _r50), _multiply(_s257, _s86, _r15), _r15), _multiply(_s259, _s149, _r50), _r50), _r50)
+    _s265 = _subtract(_multiply(_k73, _subtract(_add(_add(_multiply(_s31, _s142, _r96), _multiply(_s27, _s146, _r100), _r100), _multiply(_s29, _s144, _r98), _r98), _multiply(_s256, _s149, _r100), _r100), _r100), _s264, _r50)
+    _s266 = _add(_add(_add(_add(_multiply(_s255, _s207, _r100), _multiply(_s260, _s77, _r98), _r98), _multiply(_s261, _s73, _r100), _r100), _multiply(_s262, _s81, _r98), _r98), _multiply(_s263, _s84, _r100), _r100) + _multiply(_s265, _s87, _r98)
+    _s267 = _add(_add(_add(_add(_multiply(_s255, _s233, _r98), _multiply(_s260, _s91, _r100), _r100), _multiply(_s261, _s90, _r98), _r98), _multiply(_s262, _s92, _r100), _r100), _multiply(_s263, _s93, _r98), _r98) + _multiply(_s265, _s94, _r100)
+    _s268 = _add(_add(_add(_add(_multiply(_s255, _s235, _r100), _multiply(_s260, _s98, _r98), _r98), _multiply(_s261, _s97, _r100), _r100), _multiply(_s262, _s99, _r98), _r98), _multiply(_s263, _s100, _r100), _r100) + _multiply(_s265, _s101, _r98)
+    _s269 = _add(_add(_add(_add(_multiply(_s255, _s237, _r98), _multiply(_s260, _s105, _r100), _r100), _multiply(_s261, _s104, _r98), _r98), _multiply(_s262, _s106, _r100), _r100), _multiply(_s263, _s107, _r98), _r98) + _multiply(_s265, _s108, _r100)
+    _s270 = _add(_add(_add(_add(_multiply(_s255, _s239, _r100), _multiply(_s260, _s112, _r98), _r98), _multiply(_s261, _s111, _r100), _r100), _multiply(_s262, _s113, _r98), _r98), _multiply(_s263, _s114, _r100), _r100) + _multiply(_s265, _s115, _r98)
+    _s271 = _add(_add(_add(_add(_multiply(_absolute(_s266, _r98), _s89, _r98), _multiply(_absolute(_s267, _r100), _s96, _r100), _r100), _multiply(_absolute(_s268, _r98), _s103, _r98), _r98), _multiply(_absolute(_s269, _r100), _s110, _r100), _r100), _multiply(_absolute(_s270, _r98), _s117, _r98), _r98)
+    _s272 = _add(_add(_add(_add(_multiply(_s255, _s242, _r100), _multiply(_s260, _s120, _r22), _r22), _multiply(_s261, _s119, _r100), _r100), _multiply(_s262, _s121, _r22), _r22), _multiply(_s263, _s122, _r100), _r100) + _multiply(_s265, _s123, _r22)
+    _s273 = _add(_s271, _multiply(_absolute(_s272, _r22), _s125, _r22), _r22)
+    _s274 = _absolute(_s257, _r98)
+    _s275 = _add(_multiply(_s274, _s129, _r100), _multiply(_absolute(_s259, _r96), _s160, _r96), _r96)
+    _s276 = _add(_s183, _add(_s245, _multiply(_absolute(_s256, _r100), _s160, _r100), _r100), _r100)
+    _s277 = _absolute(_subtract(_multiply(_k73, _negative(_multiply(_s256, _s161, _r29), _r29), _r29), _multiply(_s186, _negative(_add(_multiply(_s257, _s132, _r41), _multiply(_s259, _s161, _r112), _r112), _r112), _r112), _r112), _r112)
+    _s278 = _add(_add(_multiply(place_n, _s277, _r112), _multiply(turn_z, _absolute(_negative(_multiply(_s186, _s70, _r48), _r48), _r48), _r48), _r48), _multiply(turn_z, _absolute(_negative(_multiply(_s186, _s79, _r53), _r53), _r53), _r53), _r53)
+    _s279 = _add(_add(_add(_add(_s278, _multiply(_absolute(_s255, _r31), _s250, _r31), _r31), _multiply(_absolute(_s260, _r104), _s134, _r104), _r104), _multiply(_absolute(_s261, _r0), _s133, _r0), _r0), _multiply(_absolute(_s262, _r103), _s135, _r103), _r103)
+    _s280 = _k27 * _add(_add(_add(_multiply(_s186, _s275, _r0), _multiply(_k73, _s276, _r104), _r104), _s248, _r104), _add(_add(_s279, _multiply(_absolute(_s263, _r117), _s136, _r117), _r117), _multiply(_absolute(_s265, _r50), _s138, _r50), _r50), _r50)
+    _s281 = _multiply(_k27, _add(_s273, _s280, _r50), _r50)
+    _s282 = _negative(_multiply(bend_s, _s208, _r104), _r104)
+    _s283 = _multiply(_s166, _s258, _r117)
+    _s284 = _negative(_add(_multiply(_s282, _s76, _r52), _multiply(_s283, _s145, _r99), _r99), _r99)
+    _s285 = _subtract(_subtract(_negative(_multiply(_s217, _s23, _r52), _r52), _multiply(_s282, _s71, _r49), _r49), _multiply(_s283, _s143, _r97), _r97)
+    _s286 = _subtract(_subtract(_multiply(_s217, _s33, _r49), _multiply(_s282, _s80, _r55), _r55), _multiply(_s283, _s147, _r101), _r101)
+    _s287 = _subtract(_subtract(_add(_multiply(_s221, _s23, _r30), _multiply(_s223, _s10, _r10), _r10), _multiply(_s282, _s83, _r58), _r58), _multiply(_s283, _s148, _r17), _r17)
+    _s288 = _subtract(_subtract(_add(_add(_multiply(_s226, _s33, _r36), _multiply(_s228, _s23, _r20), _r20), _multiply(_s229, _s10, _r21), _r21), _multiply(_s282, _s86, _r59), _r59), _multiply(_s283, _s149, _r13), _r13)
+    _s289 = _add(_add(_add(_add(_multiply(_s284, _s77, _r51), _multiply(_s10, _s207, _r108), _r108), _multiply(_s285, _s73, _r47), _r47), _multiply(_s286, _s81, _r54), _r54), _multiply(_s287, _s84, _r56), _r56) + _multiply(_s288, _s87, _r57)
+    _s290 = _add(_add(_add(_add(_multiply(_s284, _s91, _r61), _multiply(_s10, _s233, _r26), _r26), _multiply(_s285, _s90, _r60), _r60), _multiply(_s286, _s92, _r62), _r62), _multiply(_s287, _s93, _r63), _r63) + _multiply(_s288, _s94, _r64)
+    _s291 = _add(_add(_add(_add(_multiply(_s284, _s98, _r66), _multiply(_s10, _s235, _r43), _r43), _multiply(_s285, _s97, _r65), _r65), _multiply(_s286, _s99, _r67), _r67), _multiply(_s287, _s100, _r68), _r68) + _multiply(_s288, _s101, _r69)
+    _s292 = _add(_add(_add(_add(_multiply(_s284, _s105, _r71), _multiply(_s10, _s237, _r118), _r118), _multiply(_s285, _s104, _r70), _r70), _multiply(_s286, _s106, _r72), _r72), _multiply(_s287, _s107, _r73), _r73) + _multiply(_s288, _s108, _r74)
+    _s293 = _add(_add(_add(_add(_multiply(_s284, _s112, _r76), _multiply(_s10, _s239, _r119), _r119), _multiply(_s285, _s111, _r75), _r75), _multiply(_s286, _s113, _r77), _r77), _multiply(_s287, _s114, _r78), _r78) + _multiply(_s288, _s115, _r79)
+    _s294 = _add(_add(_add(_add(_multiply(_absolute(_s289, _r79), _s89, _r79), _multiply(_absolute(_s290, _r78), _s96, _r78), _r78), _multiply(_absolute(_s291, _r79), _s103, _r79), _r79), _multiply(_absolute(_s292, _r78), _s110, _r78), _r78), _multiply(_absolute(_s293, _r79), _s117, _r79), _r79)
+    _s295 = _add(_add(_add(_add(_multiply(_s284, _s120, _r82), _multiply(_s10, _s242, _r9), _r9), _multiply(_s285, _s119, _r81), _r81), _multiply(_s286, _s121, _r83), _r83), _multiply(_s287, _s122, _r84), _r84) + _multiply(_s288, _s123, _r85)
+    _s296 = _add(_s294, _multiply(_absolute(_s295, _r85), _s125, _r85), _r85)
+    _s297 = _add(_multiply(_absolute(_s282, _r79), _s129, _r79), _multiply(_absolute(_s283, _r89), _s160, _r89), _r89)
+    _s298 = _k69 * _s217
+    _s299 = _add(_multiply(_s217, _s48, _r79), _s188, _r79)
+    _s300 = _add(_add(_add(_multiply(_s217, _add(_s193, _s199, _r33), _r33), _multiply(_s52, _add(_multiply(_k22, spin_bound, _r42), _multiply(_s298, _s47, _r37), _r37), _r37), _r37), _multiply(_s196, _add(spin_bound, _s188, _r33), _r33), _r33), _multiply(_s195, _s299, _r115), _r115)
+    _s301 = _add(_add(_s300, _multiply(_s197, _add(_multiply(_s298, _s48, _r33), _multiply(_k22, _s188, _r37), _r37), _r37), _r37), _multiply(_k64, _add(spin_bound, _multiply(_s52, _s188, _r38), _r38), _r38), _r38)
+    _s302 = _add(_add(_add(_add(_multiply(_s217, _s192, _r37), _multiply(_k22, _multiply(_s187, _s188, _r115), _r115), _r115), _multiply(_k73, _multiply(_multiply(normal_rounding, _s217, _r37), _s48, _r37), _r37), _r37), _s297, _r37), _s301, _r37)
+    _s303 = _add(_multiply(place_n, _absolute(_negative(_add(_multiply(_s282, _s132, _r104), _multiply(_s283, _s161, _r117), _r117), _r117), _r117), _r117), _multiply(turn_z, _absolute(_s33, _r27), _r27), _r27)
+    _s304 = _add(_add(_add(_add(_s303, _multiply(turn_z, _absolute(_s23, _r19), _r19), _r19), _multiply(_absolute(_s284, _r99), _s134, _r99), _r99), _multiply(_absolute(_s10, _r2), _s250, _r2), _r2), _multiply(_absolute(_s285, _r97), _s133, _r97), _r97)
+    _s305 = _add(_s302, _add(_add(_add(_s304, _multiply(_absolute(_s286, _r101), _s135, _r101), _r101), _multiply(_absolute(_s287, _r17), _s136, _r17), _r17), _multiply(_absolute(_s288, _r13), _s138, _r13), _r13), _r13)
+    _s306 = _k27 * _s305
+    _s307 = _multiply(_k27, _add(_s296, _s306, _r13), _r13)
+    _s308 = _add(_multiply(_s217, _add(_s192, _s248, _r123), _r123), _multiply(_k22, _multiply(_s187, _add(_multiply(_s298, _add(_s158, _s127, _r93), _r93), _s188, _r93), _r93), _r93), _r93)
+    _s309 = _select(_s184 < _s247, _s247, _s184, _r123)
+    _s310 = _select(_s297 < _s275, _s275, _s297, _r11)
+    _s311 = _multiply(_k27, _add(_add(_s308, _add(_multiply(_s217, _select(_s309 < _s276, _s276, _s309, _r110), _r110), _select(_s310 < _s246, _s246, _s310, _r123), _r123), _r123), _s301, _r123), _r123)
+    _s312 = _select(_s62 < _s140, _s140, _s62, _r38)
+    _s313 = _select(_s312 < _s164, _s164, _s312, _r93)
+    _s314 = _multiply(_k27, _add(_multiply(_k75, _subtract(_add(_add(_s164, _s140, _r11), _s62, _r11), _s313, _r11), _r11), _s313, _r11), _r11)
+    _s315 = _multiply(_s159, _s140, _r93)
+    _s316 = _add(_multiply(_s186, _s258, _r28), _multiply(_k73, _s69, _r39), _r39)
+    _s317 = _negative(_multiply(p_restitution, normal_velocity, _r28), _r28)
+    _s318 = _add(_s315, _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s316, _r38), _multiply(_s317, _s68, _r110), _r110), _r110), _r110), _s164, _r110), _r110)
+    _s319 = _multiply(_k64, _add(_multiply(bend_s, _s140, _r38), _multiply(bend_e, _s164, _r89), _r89), _r89)
+    _s320 = _multiply(_s191, _s319, _r113)
+    _s321 = _add(_add(_s318, _s320, _r110), _s281, _r110)
+    _s322 = _subtract(_multiply(_k73, _s141, _r32), _multiply(_s186, _s208, _r45), _r45)
+    _s323 = _add(_add(_multiply(_absolute(_multiply(bend_s, _s317, _r28), _r28), _s140, _r28), _multiply(_absolute(_negative(_multiply(_s214, _s322, _r32), _r32), _r32), _s164, _r32), _r32), _s320, _r32)
+    _s324 = _add(_s323, _s254, _r32)
+    _s325 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s316, _r28), _r28), _r28), _s140, _r28), _multiply(_absolute(_multiply(_s166, _s322, _r16), _r16), _s164, _r16), _r16), _s320, _r16)
+    _s326 = _add(_s325, _s205, _r16)
+    _s327 = _select(_s326 < _s324, _s324, _s326, _r113)
+    _s328 = _select(_s327 < _s321, _s321, _s327, _r28)
+    _s329 = _multiply(_k27, _add(_multiply(_k75, _subtract(_add(_add(_s321, _s324, _r38), _s326, _r38), _s328, _r38), _r38), _s328, _r38), _r38)
+    _s330 = _negative(_multiply(_s217, _s322, _r45), _r45)
+    _s331 = _multiply(_s217, _s316, _r39)
+    _s332 = _multiply(_s299, _s319, _r89)
+    _s333 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s330, _r79), _r79), _r79), _s140, _r79), _multiply(_absolute(_multiply(_multiply(bend_e, _s331, _r28), _s68, _r28), _r28), _s164, _r28), _r28), _s332, _r28)
+    _s334 = _add(_s333, _s307, _r28)
+    _s335 = _add(_add(_divide(_s254, p_ball_radius, _r79), _s315, _r79), _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s330, _r45), _s210, _r45), _r45), _r45), _s164, _r45), _r45)
+    _s336 = _add(_add(_s335, _s332, _r45), _s311, _r45)
+    _s337 = _add(_add(_add(_divide(_s281, p_ball_radius, _r79), _multiply(_s274, _s140, _r98), _r98), _multiply(_absolute(_negative(_multiply(_s214, _s331, _r39), _r39), _r39), _s164, _r39), _r39), _s332, _r39)
+    _s338 = _add(_s337, _s311, _r39)
+    _s339 = _select(_s334 < _s338, _s338, _s334, _r89)
+    _s340 = _select(_s339 < _s336, _s336, _s339, _r98)
+    _s341 = _multiply(_k27, _add(_multiply(_k75, _subtract(_add(_add(_s334, _s336, _r6), _s338, _r6), _s340, _r6), _r6), _s340, _r6), _r6)
+    _s342 = _add(_add(_add(_add(_add(_multiply(_k76, _s182, _r109), _s157, _r109), _s126, _r109), _multiply(_k76, _s244, _r122), _r122), _multiply(_k76, _s273, _r22), _r22), _multiply(_k77, _s296, _r85), _r85)
+    _s343 = _add(_add(_add(_add(_add(_s163, _s139, _r22), _multiply(_k76, _s204, _r122), _r122), _multiply(_k76, _s253, _r22), _r22), _multiply(_k76, _s280, _r122), _r122), _multiply(_k77, _s306, _r22), _r22) <= _multiply(_k78, _s342, _r85)
+    return _result(_s63, _s62, _k30, _r0), _result(_s63, _s140, _k30, _r0), _result(_s63, _s164, _k30, _r0), _result(_s63, _s205, _k30, _r0), _result(_s63, _s254, _k30, _r0), _result(_s63, _s281, _k30, _r0), _result(_s63, _s307, _k30, _r0), _result(_s63, _s311, _k30, _r0), _result(_s63, _s314, _k30, _r0), _result(_s63, _s329, _k30, _r0), _result(_s63, _s341, _k30, _r0), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r6), _r6) + _select(_s63, _multiply(_k27, _s43, _r35), _k30, _r38), _s89, _s96, _s103, _s110, _s117, _s125, _s139, _s163, _s204, _s253, _s280, _s306, _s88, _s95, _s102, _s109, _s116, _s124, _s150, _s151, _s152, _s153, _s154, _s156, _s175, _s176, _s177, _s178, _s179, _s181, _s232, _s234, _s236, _s238, _s240, _s243, _s266, _s267, _s268, _s269, _s270, _s272, _s289, _s290, _s291, _s292, _s293, _s295, _result(_s343, _k63, _k29, _r0)
+
+
+def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, p_ball_radius: Any, p_restitution: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Velocity and spin after a contact, frame-free.
+
+    Eqs. 11-17, the frame eliminated. 63 operations: 10 additions, 12 subtractions, 40 multiplications, 1 division.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
+    _s0 = 0.4 * p_ball_radius
+    _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
+    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(_k90, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
+    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(_k90, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
+    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(_k90, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
+    _s5 = _add(_add(_multiply(nx, wx, _r4), _multiply(ny, wy, _r5), _r5), _multiply(nz, wz, _r4), _r4)
+    _s6 = 1.0 / p_ball_radius
+    return _s2 - _multiply(_multiply(p_restitution, nx, _r5), _s1, _r5), _s3 - _multiply(_multiply(p_restitution, ny, _r5), _s1, _r5), _s4 - _multiply(_multiply(p_restitution, nz, _r5), _s1, _r5), _multiply(nx, _s5, _r5) + _multiply(_s6, _subtract(_multiply(ny, _s4, _r0), _multiply(nz, _s3, _r6), _r6), _r6), _multiply(ny, _s5, _r6) + _multiply(_s6, _subtract(_multiply(nz, _s2, _r5), _multiply(nx, _s4, _r3), _r3), _r3), _multiply(nz, _s5, _r4) + _multiply(_s6, _subtract(_multiply(nx, _s3, _r2), _multiply(ny, _s2, _r1), _r1), _r1)
+
+
+def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, clock: Any, left_nx: Any, left_ny: Any, left_nz: Any, place_n: Any, place_s: Any, place_e: Any, pace_n: Any, pace_s: Any, pace_e: Any, turn_n: Any, turn_z: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any, tangent_x: Any, tangent_y: Any, bend_s: Any, bend_e: Any, left_ex: Any, left_ey: Any, left_bend_s: Any, left_bend_e: Any, sharpest_bend: Any, root_offset: Any, root_level: Any, normal_rounding: Any, normal_velocity: Any, back: Any, p_ball_radius: Any, p_restitution: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Bounds on errors after a contact, from those at the departure before it.
+
+    derivative of the frame-free Eq. 17, with roundings. 1054 operations: 289 additions, 71 subtractions, 512 multiplications, 7 divisions, 43 negations, 93 absolute values, 14 comparisons, 25 selections.
+    """
+    t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity,)]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40, _r41, _r42, _r43, _r44, _r45, _r46, _r47, _r48, _r49, _r50, _r51, _r52, _r53, _r54, _r55, _r56, _r57, _r58, _r59, _r60, _r61, _r62, _r63, _r64, _r65, _r66, _r67, _r68, _r69, _r70, _r71, _r72, _r73, _r74, _r75, _r76, _r77, _r78 = _halves(_room[:79])
+    _s0 = _negative(_multiply(p_gravity, nz, _r0), _r0)
+    _s1 = _absolute(vx, _r1)
+    _s2 = _multiply(_k22, t, _r2)
+    _s3 = _add(_k24, _multiply(_k25, _add(_multiply(_s2, _s1, _r3), _absolute(x, _r4), _r4), _r4), _r4)
+    _s4 = _absolute(vy, _r3)
+    _s5 = _add(_k24, _multiply(_k25, _add(_multiply(_s2, _s4, _r5), _absolute(y, _r6), _r6), _r6), _r6)
+    _s6 = _k23 * p_gravity
+    _s7 = _add(_add(_multiply(_s6, _multiply(t, t, _r5), _r5), _multiply(_s2, _absolute(_add(vz, _multiply(_s6, t, _r7), _r7), _r7), _r7), _r7), _absolute(z, _r5), _r5)
+    _s8 = _add(_k24, _multiply(_k25, _s7, _r5), _r5)
+    _s9 = _add(_add(_add(position_bound, _multiply(t, velocity_bound, _r7), _r7), _add(_add(_s3, _s5, _r2), _s8, _r2), _r2), _select(root_offset < root_level, root_level, root_offset, _r7), _r7)
+    _s10 = _add(_add(_multiply(nx, left_nx, _r2), _multiply(ny, left_ny, _r8), _r8), _multiply(nz, left_nz, _r2), _r2)
+    _s11 = _subtract(_s10, back, _r8)
+    _s12 = _multiply(left_nz, left_ey, _r9)
+    _s13 = _negative(_multiply(left_nz, left_ex, _r10), _r10)
+    _s14 = _multiply(p_gravity, t, _r11)
+    _s15 = _add(vz, _s14, _r12)
+    _s16 = _subtract(_multiply(left_ny, left_ex, _r13), _multiply(left_nx, left_ey, _r14), _r14)
+    _s17 = _add(_add(_multiply(vx, _s12, _r13), _multiply(vy, _s13, _r15), _r15), _multiply(_s15, _s16, _r13), _r13)
+    _s18 = _negative(_multiply(left_bend_s, _s17, _r15), _r15)
+    _s19 = _multiply(t, _s18, _r16)
+    _s20 = _add(_add(_multiply(vx, left_nx, _r17), _multiply(vy, left_ny, _r18), _r18), _multiply(left_nz, _s15, _r12), _r12)
+    _s21 = _multiply(left_bend_s, _s20, _r18)
+    _s22 = _add(_k63, _multiply(t, _s21, _r17), _r17)
+    _s23 = _add(_add(_multiply(nx, _s12, _r19), _multiply(ny, _s13, _r20), _r20), _multiply(nz, _s16, _r19), _r19)
+    _s24 = _add(_multiply(_s19, _s10, _r20), _multiply(_s22, _s23, _r21), _r21)
+    _s25 = _add(_multiply(vx, left_ex, _r20), _multiply(vy, left_ey, _r22), _r22)
+    _s26 = _multiply(left_nz, left_bend_e, _r20)
+    _s27 = _negative(_multiply(_s26, _s25, _r23), _r23)
+    _s28 = _multiply(t, _s27, _r24)
+    _s29 = _multiply(_multiply(left_bend_e, _s25, _r22), _s16, _r22)
+    _s30 = _multiply(t, _s29, _r25)
+    _s31 = _multiply(left_bend_e, _subtract(_multiply(left_nz, _s17, _r13), _multiply(_s16, _s20, _r12), _r12), _r12)
+    _s32 = _add(_k63, _multiply(t, _s31, _r13), _r13)
+    _s33 = _add(_multiply(nx, left_ex, _r26), _multiply(ny, left_ey, _r27), _r27)
+    _s34 = _add(_add(_multiply(_s28, _s23, _r26), _multiply(_s30, _s10, _r28), _r28), _multiply(_s32, _s33, _r26), _r26)
+    _s35 = _multiply(t, _s10, _r28)
+    _s36 = _multiply(t, _s23, _r29)
+    _s37 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s11, _r30), _r30), _multiply(place_s, _absolute(_s24, _r31), _r31), _r31), _multiply(place_e, _absolute(_s34, _r30), _r30), _r30), _multiply(pace_n, _absolute(_s35, _r31), _r31), _r31), _multiply(pace_s, _absolute(_s36, _r30), _r30), _r30)
+    _s38 = _multiply(t, _s33, _r31)
+    _s39 = _multiply(_s14, _add(_multiply(place_s, left_bend_s, _r32), _multiply(place_e, left_bend_e, _r33), _r33), _r33)
+    _s40 = _multiply(_k64, _add(_multiply(t, _s39, _r32), _s9, _r32), _r32)
+    _s41 = _add(_add(_add(root_offset, _multiply(_multiply(_k65, _multiply(sharpest_bend, _s9, _r34), _r34), _s9, _r34), _r34), _add(_s37, _multiply(pace_e, _absolute(_s38, _r35), _r35), _r35), _r35), _s40, _r35)
+    _s42 = _absolute(normal_velocity, _r34)
+    _s43 = _divide(_multiply(_k26, _s41, _r35), _s42, _r35)
+    _s44 = _absolute(vz, _r30)
+    _s45 = _add(_k24, _multiply(_k25, _add(_add(_add(_s14, _s1, _r11), _s4, _r11), _s44, _r11), _r11), _r11)
+    _s46 = _add(velocity_bound, _s45, _r36)
+    _s47 = _add(_multiply(p_gravity, _s43, _r37), _s46, _r37)
+    _s48 = _add(_add(_s1, _s4, _r3), _s44, _r3)
+    _s49 = _add(_s47, _s48, _r30)
+    _s50 = _add(_multiply(_s43, _s49, _r1), _s9, _r1)
+    _s51 = _multiply(_k65, sharpest_bend, _r7)
+    _s52 = _multiply(_s51, _s50, _r38)
+    _s53 = _subtract(_multiply(_k28, _add(_add(_multiply(_absolute(_s0, _r39), _s43, _r39), _multiply(_s52, _s49, _r40), _r40), _s46, _r40), _r40), _s42, _r40)
+    _s54 = _subtract(_multiply(_k66, _multiply(sharpest_bend, _s50, _r39), _r39), _k63, _r39)
+    _s55 = _select(_s53 < _s54, _s54, _s53, _r41)
+    _s56 = _add(_multiply(_s6, _multiply(_s43, _s43, _r42), _r42), _multiply(_s43, _s46, _r36), _r36)
+    _s57 = _divide(_add(_multiply(_s52, _s50, _r42), _s56, _r42), _s42, _r42)
+    _s58 = _add(_multiply(_s57, _s48, _r43), _s56, _r43)
+    _s59 = _add(_add(root_level, _s58, _r36), _add(_add(_multiply(_absolute(nx, _r44), _s3, _r44), _multiply(_absolute(ny, _r45), _s5, _r45), _r45), _multiply(_absolute(nz, _r44), _s8, _r44), _r44), _r44)
+    _s60 = _multiply(bend_s, _s59, _r36)
+    _s61 = _subtract(_multiply(_k67, _add(_multiply(place_n, left_bend_s, _r45), _s60, _r45), _r45), _k63, _r45)
+    _s62 = _multiply(_k27, _s59, _r44)
+    _s63 = _select(_s55 < _s61, _s61, _s55, _r46) <= _k29
     _s64 = _multiply(nz, tangent_y, _r46)
     _s65 = _negative(_multiply(nz, tangent_x, _r45), _r45)
     _s66 = _subtract(_multiply(ny, tangent_x, _r41), _multiply(nx, tangent_y, _r39), _r39)
@@ -1535,8 +1965,8 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s68 = _absolute(_s67, _r40)
     _s69 = _divide(_add(root_offset, _s40, _r47), _s42, _r47)
     _s70 = _add(_multiply(_s68, _s69, _r48), _add(_add(_multiply(_absolute(_s65, _r49), _s5, _r49), _multiply(_absolute(_s64, _r50), _s3, _r50), _r50), _multiply(_absolute(_s66, _r49), _s8, _r49), _r49), _r49)
-    _s71 = _add(_add(_s58, _multiply(_k65, _s50, _r1), _r1), _s40, _r1)
-    _s72 = _divide(_k64, normal_velocity, _r32)
+    _s71 = _add(_add(_s58, _multiply(_k64, _s50, _r1), _r1), _s40, _r1)
+    _s72 = _divide(_k63, normal_velocity, _r32)
     _s73 = _negative(_multiply(_s72, _s11, _r8), _r8)
     _s74 = _add(_add(_multiply(left_nx, _s64, _r48), _multiply(left_ny, _s65, _r50), _r50), _multiply(left_nz, _s66, _r48), _r48)
     _s75 = _add(_multiply(_s73, _s67, _r50), _s74, _r50)
@@ -1553,7 +1983,7 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s86 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s75, _r52), _r52), _multiply(place_s, _absolute(_s78, _r58), _r58), _r58), _multiply(place_e, _absolute(_s81, _r52), _r52), _r52), _multiply(pace_n, _absolute(_s83, _r58), _r58), _r58), _multiply(pace_s, _absolute(_s85, _r52), _r52), _r52)
     _s87 = _negative(_multiply(_s72, _s38, _r32), _r32)
     _s88 = _add(_multiply(_s87, _s67, _r31), _multiply(t, _s80, _r58), _r58)
-    _s89 = _result(_s62, _multiply(_k27, _add(_add(_s70, _s71, _r31), _add(_s86, _multiply(pace_e, _absolute(_s88, _r59), _r59), _r59), _r59), _r59), _k30, _r0)
+    _s89 = _multiply(_k27, _add(_add(_s70, _s71, _r31), _add(_s86, _multiply(pace_e, _absolute(_s88, _r59), _r59), _r59), _r59), _r59)
     _s90 = _add(_multiply(vx, tangent_x, _r31), _multiply(vy, tangent_y, _r52), _r52)
     _s91 = _absolute(_s90, _r31)
     _s92 = _absolute(_k37)
@@ -1568,7 +1998,7 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s101 = _add(_multiply(_s84, _s90, _r6), _multiply(t, _s96, _r24), _r24)
     _s102 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s95, _r6), _r6), _multiply(place_s, _absolute(_s97, _r62), _r62), _r62), _multiply(place_e, _absolute(_s99, _r6), _r6), _r6), _multiply(pace_n, _absolute(_s100, _r62), _r62), _r62), _multiply(pace_s, _absolute(_s101, _r6), _r6), _r6)
     _s103 = _add(_multiply(_s87, _s90, _r62), _multiply(t, _s98, _r63), _r63)
-    _s104 = _result(_s62, _multiply(_k27, _add(_add(_s93, _s71, _r62), _add(_s102, _multiply(pace_e, _absolute(_s103, _r64), _r64), _r64), _r64), _r64), _k30, _r0)
+    _s104 = _multiply(_k27, _add(_add(_s93, _s71, _r62), _add(_s102, _multiply(pace_e, _absolute(_s103, _r64), _r64), _r64), _r64), _r64)
     _s105 = _add(_multiply(p_gravity, _s69, _r47), _s45, _r47)
     _s106 = _negative(_multiply(bend_s, _s67, _r11), _r11)
     _s107 = _multiply(bend_e, _s66, _r62)
@@ -1588,7 +2018,7 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s121 = _multiply(_s52, _s52, _r1)
     _s122 = _add(_multiply(_s51, _s58, _r43), _multiply(_k22, _s121, _r7), _r7)
     _s123 = _add(_add(_add(_s118, _multiply(_s52, _add(_multiply(spin_bound, _s111, _r43), _multiply(_s119, _s47, _r73), _r73), _r73), _r73), _multiply(_s120, _s116, _r43), _r43), _multiply(_s122, _add(_multiply(_s111, _s113, _r73), _multiply(_s119, _s48, _r74), _r74), _r74), _r74)
-    _s124 = _multiply(_k65, _add(_add(_multiply(p_ball_radius, spin_bound, _r43), _multiply(_s52, _add(_s115, _multiply(_k72, _s48, _r73), _r73), _r73), _r73), _multiply(_k22, _add(_s39, _s47, _r33), _r33), _r33), _r33)
+    _s124 = _multiply(_k64, _add(_add(_multiply(p_ball_radius, spin_bound, _r43), _multiply(_s52, _add(_s115, _multiply(_k72, _s48, _r73), _r73), _r73), _r73), _multiply(_k22, _add(_s39, _s47, _r33), _r33), _r33), _r33)
     _s125 = _add(_add(_s123, _multiply(_multiply(_s121, _s110, _r73), _s49, _r73), _r73), _s124, _r73)
     _s126 = _add(_add(_multiply(p_restitution, _s109, _r74), _multiply(_s110, _add(_multiply(normal_rounding, _add(_s48, _s42, _r30), _r30), _multiply(_multiply(_k22, _s60, _r36), _s42, _r36), _r36), _r36), _r36), _add(_add(_s114, _s117, _r74), _s125, _r74), _r74)
     _s127 = _absolute(_negative(_multiply(p_restitution, _subtract(_subtract(_multiply(_s0, _s73, _r36), _multiply(_s106, _s75, _r30), _r30), _multiply(_s108, _s95, _r36), _r36), _r36), _r36), _r36)
@@ -1599,25 +2029,25 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s132 = _negative(_multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s0, _s84, _r43), _s23, _r43), _multiply(_s106, _s85, _r69), _r69), _multiply(_s108, _s101, _r43), _r43), _r43), _r43)
     _s133 = _negative(_multiply(p_restitution, _subtract(_subtract(_add(_multiply(_s0, _s87, _r0), _s33, _r0), _multiply(_s106, _s88, _r11), _r11), _multiply(_s108, _s103, _r6), _r6), _r6), _r6)
     _s134 = _multiply(_k27, _add(_s126, _add(_add(_s131, _multiply(pace_s, _absolute(_s132, _r43), _r43), _r43), _multiply(pace_e, _absolute(_s133, _r6), _r6), _r6), _r6), _r6)
-    _s135 = _result(_s62, _s134, _k30, _r0)
-    _s136 = _multiply(_s92, _s70, _r74)
-    _s137 = _add(_add(_multiply(wx, _s64, _r46), _multiply(wy, _s65, _r45), _r45), _multiply(wz, _s66, _r46), _r46)
-    _s138 = _add(_add(_multiply(nx, wx, _r45), _multiply(ny, wy, _r43), _r43), _multiply(nz, wz, _r45), _r45)
-    _s139 = _multiply(bend_e, _subtract(_multiply(nz, _s137, _r43), _multiply(_s66, _s138, _r30), _r30), _r30)
-    _s140 = _add(_s136, _multiply(_absolute(_s139, _r43), _s93, _r43), _r43)
-    _s141 = _multiply(bend_s, normal_velocity, _r11)
-    _s142 = _multiply(nz, bend_e, _r0)
-    _s143 = _negative(_multiply(_s142, _s90, _r52), _r52)
-    _s144 = _add(_s105, _add(_multiply(_absolute(_s141, _r69), _s70, _r69), _multiply(_absolute(_s143, _r36), _s93, _r36), _r36), _r36)
-    _s145 = _add(_add(_add(_multiply(_multiply(normal_rounding, _s110, _r69), _s42, _r69), _s114, _r69), _s117, _r69), _s125, _r69)
+    _s135 = _multiply(_s92, _s70, _r74)
+    _s136 = _add(_add(_multiply(wx, _s64, _r46), _multiply(wy, _s65, _r45), _r45), _multiply(wz, _s66, _r46), _r46)
+    _s137 = _add(_add(_multiply(nx, wx, _r45), _multiply(ny, wy, _r43), _r43), _multiply(nz, wz, _r45), _r45)
+    _s138 = _multiply(_s66, _s137, _r43)
+    _s139 = _multiply(bend_e, _subtract(_multiply(nz, _s136, _r30), _s138, _r30), _r30)
+    _s140 = _add(_s135, _multiply(_absolute(_s139, _r11), _s93, _r11), _r11)
+    _s141 = _multiply(bend_s, normal_velocity, _r0)
+    _s142 = _multiply(nz, bend_e, _r69)
+    _s143 = _negative(_multiply(_s142, _s90, _r36), _r36)
+    _s144 = _add(_s105, _add(_multiply(_absolute(_s141, _r75), _s70, _r75), _multiply(_absolute(_s143, _r76), _s93, _r76), _r76), _r76)
+    _s145 = _add(_add(_add(_multiply(_multiply(normal_rounding, _s110, _r75), _s42, _r75), _s114, _r75), _s117, _r75), _s125, _r75)
     _s146 = _negative(_multiply(p_gravity, _s66, _r73), _r73)
     _s147 = _absolute(_add(_multiply(_s111, _negative(_multiply(_s139, _s95, _r68), _r68), _r68), _multiply(_k73, _subtract(_subtract(_multiply(_s146, _s73, _r8), _multiply(_s141, _s75, _r34), _r34), _multiply(_s143, _s95, _r8), _r8), _r8), _r8), _r8)
     _s148 = _add(_add(_multiply(wx, left_nx, _r68), _multiply(wy, left_ny, _r34), _r34), _multiply(wz, left_nz, _r68), _r68)
     _s149 = _multiply(left_bend_s, _s148, _r34)
     _s150 = _add(_add(_multiply(wx, _s12, _r9), _multiply(wy, _s13, _r10), _r10), _multiply(wz, _s16, _r9), _r9)
     _s151 = _negative(_multiply(left_bend_s, _s150, _r10), _r10)
-    _s152 = _multiply(_k73, _subtract(_subtract(_add(_multiply(_s146, _s76, _r21), _add(_multiply(_s21, _s77, _r75), _multiply(_s18, _s74, _r76), _r76), _r76), _multiply(_s141, _s78, _r21), _r21), _multiply(_s143, _s97, _r76), _r76), _r76)
-    _s153 = _absolute(_add(_multiply(_s111, _subtract(_add(_multiply(_s149, _s96, _r21), _multiply(_s151, _s94, _r75), _r75), _multiply(_s139, _s97, _r21), _r21), _r21), _s152, _r76), _r76)
+    _s152 = _multiply(_k73, _subtract(_subtract(_add(_multiply(_s146, _s76, _r21), _add(_multiply(_s21, _s77, _r77), _multiply(_s18, _s74, _r78), _r78), _r78), _multiply(_s141, _s78, _r21), _r21), _multiply(_s143, _s97, _r78), _r78), _r78)
+    _s153 = _absolute(_add(_multiply(_s111, _subtract(_add(_multiply(_s149, _s96, _r21), _multiply(_s151, _s94, _r77), _r77), _multiply(_s139, _s97, _r21), _r21), _r21), _s152, _r78), _r78)
     _s154 = _multiply(left_bend_e, _subtract(_multiply(left_nz, _s150, _r9), _multiply(_s16, _s148, _r68), _r68), _r68)
     _s155 = _add(_multiply(wx, left_ex, _r9), _multiply(wy, left_ey, _r21), _r21)
     _s156 = _negative(_multiply(_s26, _s155, _r20), _r20)
@@ -1627,52 +2057,79 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s160 = _add(_multiply(_s111, _negative(_multiply(_s139, _s100, _r9), _r9), _r9), _multiply(_k73, _subtract(_subtract(_add(_multiply(_s146, _s82, _r28), _s74, _r28), _multiply(_s141, _s83, _r26), _r26), _multiply(_s143, _s100, _r28), _r28), _r28), _r28)
     _s161 = _k74 / p_ball_radius
     _s162 = _add(_multiply(_s111, _subtract(_multiply(_s161, _s98, _r9), _multiply(_s139, _s101, _r26), _r26), _r26), _multiply(_k73, _subtract(_subtract(_add(_multiply(_s146, _s84, _r29), _s77, _r29), _multiply(_s141, _s85, _r9), _r9), _multiply(_s143, _s101, _r29), _r29), _r29), _r29)
-    _s163 = _add(_multiply(_s111, _subtract(_negative(_multiply(_s161, _s96, _r26), _r26), _multiply(_s139, _s103, _r30), _r30), _r30), _multiply(_k73, _subtract(_subtract(_add(_multiply(_s146, _s87, _r73), _s80, _r73), _multiply(_s141, _s88, _r11), _r11), _multiply(_s143, _s103, _r52), _r52), _r52), _r52)
-    _s164 = _add(_add(_add(_add(_add(_multiply(place_n, _s147, _r8), _multiply(place_s, _s153, _r76), _r76), _multiply(place_e, _absolute(_s159, _r14), _r14), _r14), _multiply(pace_n, _absolute(_s160, _r28), _r28), _r28), _multiply(pace_s, _absolute(_s162, _r29), _r29), _r29), _multiply(pace_e, _absolute(_s163, _r52), _r52), _r52)
-    _s165 = _add(_add(_add(_s164, _multiply(turn_n, _absolute(_multiply(_s111, _s94, _r29), _r29), _r29), _r29), _multiply(turn_z, _absolute(_multiply(_s111, _s98, _r52), _r52), _r52), _r52), _multiply(turn_z, _absolute(_multiply(_s111, _s96, _r29), _r29), _r29), _r29)
-    _s166 = _result(_s62, _multiply(_k27, _add(_add(_add(_multiply(_s111, _s140, _r52), _multiply(_k73, _s144, _r28), _r28), _s145, _r28), _s165, _r29), _r29), _k30, _r0)
-    _s167 = _multiply(bend_s, _s138, _r45)
-    _s168 = _add(_multiply(wx, tangent_x, _r28), _multiply(wy, tangent_y, _r52), _r52)
-    _s169 = _negative(_multiply(_s142, _s168, _r0), _r0)
-    _s170 = _add(_multiply(_absolute(_s167, _r28), _s70, _r28), _multiply(_absolute(_s169, _r14), _s93, _r14), _r14)
-    _s171 = _multiply(bend_e, _subtract(_multiply(nz, _s67, _r41), _multiply(normal_velocity, _s66, _r39), _r39), _r39)
-    _s172 = _add(_s105, _add(_s136, _multiply(_absolute(_s171, _r41), _s93, _r41), _r41), _r41)
-    _s173 = _absolute(_subtract(_multiply(_k73, _negative(_multiply(_s171, _s95, _r47), _r47), _r47), _multiply(_s111, _negative(_add(_multiply(_s167, _s75, _r74), _multiply(_s169, _s95, _r28), _r28), _r28), _r28), _r28), _r28)
-    _s174 = _subtract(_multiply(_k73, _subtract(_add(_multiply(_s21, _s96, _r18), _multiply(_s18, _s94, _r15), _r15), _multiply(_s171, _s97, _r18), _r18), _r18), _multiply(_s111, _subtract(_subtract(_add(_multiply(_s149, _s77, _r15), _multiply(_s151, _s74, _r47), _r47), _multiply(_s167, _s78, _r15), _r15), _multiply(_s169, _s97, _r47), _r47), _r47), _r47)
-    _s175 = _multiply(_s111, _subtract(_subtract(_add(_add(_multiply(_s154, _s80, _r18), _multiply(_s156, _s77, _r15), _r15), _multiply(_s157, _s74, _r18), _r18), _multiply(_s167, _s81, _r15), _r15), _multiply(_s169, _s99, _r18), _r18), _r18)
-    _s176 = _subtract(_multiply(_k73, _subtract(_add(_add(_multiply(_s31, _s98, _r12), _multiply(_s27, _s96, _r23), _r23), _multiply(_s29, _s94, _r22), _r22), _multiply(_s171, _s99, _r23), _r23), _r23), _s175, _r18)
-    _s177 = _absolute(_subtract(_multiply(_k73, _subtract(_s94, _multiply(_s171, _s100, _r23), _r23), _r23), _multiply(_s111, _negative(_add(_multiply(_s167, _s83, _r61), _multiply(_s169, _s100, _r22), _r22), _r22), _r22), _r22), _r22)
-    _s178 = _absolute(_subtract(_multiply(_k73, _subtract(_s96, _multiply(_s171, _s101, _r23), _r23), _r23), _multiply(_s111, _subtract(_subtract(_multiply(_s161, _s80, _r4), _multiply(_s167, _s85, _r61), _r61), _multiply(_s169, _s101, _r4), _r4), _r4), _r4), _r4)
-    _s179 = _add(_add(_add(_add(_multiply(place_n, _s173, _r28), _multiply(place_s, _absolute(_s174, _r47), _r47), _r47), _multiply(place_e, _absolute(_s176, _r18), _r18), _r18), _multiply(pace_n, _s177, _r22), _r22), _multiply(pace_s, _s178, _r4), _r4)
-    _s180 = _subtract(_multiply(_k73, _subtract(_s98, _multiply(_s171, _s103, _r39), _r39), _r39), _multiply(_s111, _subtract(_subtract(_negative(_multiply(_s161, _s77, _r16), _r16), _multiply(_s167, _s88, _r45), _r45), _multiply(_s169, _s103, _r0), _r0), _r0), _r0)
-    _s181 = _add(_add(_add(_s179, _multiply(pace_e, _absolute(_s180, _r0), _r0), _r0), _multiply(turn_n, _absolute(_negative(_multiply(_s111, _s74, _r48), _r48), _r48), _r48), _r48), _multiply(turn_z, _absolute(_negative(_multiply(_s111, _s80, _r53), _r53), _r53), _r53), _r53)
-    _s182 = _add(_add(_add(_multiply(_s111, _s170, _r48), _multiply(_k73, _s172, _r0), _r0), _s145, _r0), _add(_s181, _multiply(turn_z, _absolute(_negative(_multiply(_s111, _s77, _r51), _r51), _r51), _r51), _r51), _r51)
-    _s183 = _result(_s62, _multiply(_k27, _s182, _r51), _k30, _r0)
-    _s184 = _negative(_multiply(bend_s, _s137, _r46), _r46)
-    _s185 = _multiply(_s107, _s168, _r52)
-    _s186 = _add(_multiply(_absolute(_s184, _r62), _s70, _r62), _multiply(_absolute(_s185, _r49), _s93, _r49), _r49)
-    _s187 = _k69 * _s161
-    _s188 = _add(_multiply(_s161, _s48, _r62), _s113, _r62)
-    _s189 = _add(_add(_add(_multiply(_s161, _add(_s118, _s124, _r33), _r33), _multiply(_s52, _add(_multiply(_k22, spin_bound, _r42), _multiply(_s187, _s47, _r37), _r37), _r37), _r37), _multiply(_s121, _add(spin_bound, _s113, _r33), _r33), _r33), _multiply(_s120, _s188, _r72), _r72)
-    _s190 = _add(_add(_s189, _multiply(_s122, _add(_multiply(_s187, _s48, _r33), _multiply(_k22, _s113, _r37), _r37), _r37), _r37), _multiply(_k65, _add(spin_bound, _multiply(_s52, _s113, _r38), _r38), _r38), _r38)
-    _s191 = _add(_add(_add(_add(_multiply(_s161, _s117, _r37), _multiply(_k22, _multiply(_s112, _s113, _r72), _r72), _r72), _multiply(_k73, _multiply(_multiply(normal_rounding, _s161, _r37), _s48, _r37), _r37), _r37), _s186, _r37), _s190, _r37)
-    _s192 = _multiply(place_s, _absolute(_subtract(_subtract(_add(_multiply(_s149, _s23, _r34), _multiply(_s151, _s10, _r10), _r10), _multiply(_s184, _s78, _r54), _r54), _multiply(_s185, _s97, _r17), _r17), _r17), _r17)
-    _s193 = _add(_multiply(place_n, _absolute(_negative(_add(_multiply(_s184, _s75, _r50), _multiply(_s185, _s95, _r60), _r60), _r60), _r60), _r60), _s192, _r17)
-    _s194 = _absolute(_subtract(_subtract(_add(_add(_multiply(_s154, _s33, _r68), _multiply(_s156, _s23, _r20), _r20), _multiply(_s157, _s10, _r21), _r21), _multiply(_s184, _s81, _r55), _r55), _multiply(_s185, _s99, _r13), _r13), _r13)
-    _s195 = _add(_add(_s193, _multiply(place_e, _s194, _r13), _r13), _multiply(pace_n, _absolute(_negative(_add(_multiply(_s184, _s83, _r56), _multiply(_s185, _s100, _r25), _r25), _r25), _r25), _r25), _r25)
-    _s196 = _add(_s195, _multiply(pace_s, _absolute(_subtract(_subtract(_multiply(_s161, _s33, _r13), _multiply(_s184, _s85, _r57), _r57), _multiply(_s185, _s101, _r24), _r24), _r24), _r24), _r24)
-    _s197 = _multiply(pace_e, _absolute(_subtract(_subtract(_negative(_multiply(_s161, _s23, _r25), _r25), _multiply(_s184, _s88, _r46), _r46), _multiply(_s185, _s103, _r52), _r52), _r52), _r52)
-    _s198 = _add(_s191, _add(_add(_add(_add(_s196, _s197, _r52), _multiply(turn_n, _absolute(_s10, _r2), _r2), _r2), _multiply(turn_z, _absolute(_s33, _r27), _r27), _r27), _multiply(turn_z, _absolute(_s23, _r19), _r19), _r19), _r19)
-    _s199 = _result(_s62, _multiply(_k27, _s198, _r19), _k30, _r0)
-    _s200 = _add(_multiply(_s161, _add(_s117, _s145, _r69), _r69), _multiply(_k22, _multiply(_s112, _add(_multiply(_s187, _add(_s91, _s68, _r31), _r31), _s113, _r31), _r31), _r31), _r31)
-    _s201 = _select(_s109 < _s144, _s144, _s109, _r69)
-    _s202 = _select(_s186 < _s170, _s170, _s186, _r65)
-    _s203 = _multiply(_k27, _add(_add(_s200, _add(_multiply(_s161, _select(_s201 < _s172, _s172, _s201, _r67), _r67), _select(_s202 < _s140, _s140, _s202, _r69), _r69), _r69), _s190, _r69), _r69)
-    _s204 = _result(_s62, _s203, _k30, _r0)
-    _s205 = _add(_multiply(bend_s, _s89, _r38), _multiply(bend_e, _s104, _r31), _r31)
-    _s206 = _add(_s166, _s183, _r51)
-    _s207 = _result(_s62, _multiply(_k27, _add(_add(_add(_divide(_s206, p_ball_radius, _r29), _multiply(_s205, _s188, _r62), _r62), _multiply(_k22, _s204, _r69), _r69), _s199, _r69), _r69), _k30, _r0)
-    return _s63, _s89, _s104, _s135, _s166, _s183, _s199, _s204, _result(_s62, _multiply(_k27, _add(_add(_s63, _s104, _r64), _s89, _r64), _r64), _k30, _r0), _result(_s62, _multiply(_k27, _add(_add(_multiply(_s116, _s205, _r31), _s206, _r51), _s135, _r51), _r51), _k30, _r0), _s207, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r51), _r51) + _select(_s62, _multiply(_k27, _s43, _r35), _k30, _r6)
+    _s163 = _add(_multiply(_s111, _subtract(_negative(_multiply(_s161, _s96, _r26), _r26), _multiply(_s139, _s103, _r30), _r30), _r30), _multiply(_k73, _subtract(_subtract(_add(_multiply(_s146, _s87, _r73), _s80, _r73), _multiply(_s141, _s88, _r0), _r0), _multiply(_s143, _s103, _r36), _r36), _r36), _r36)
+    _s164 = _add(_add(_add(_add(_add(_multiply(place_n, _s147, _r8), _multiply(place_s, _s153, _r78), _r78), _multiply(place_e, _absolute(_s159, _r14), _r14), _r14), _multiply(pace_n, _absolute(_s160, _r28), _r28), _r28), _multiply(pace_s, _absolute(_s162, _r29), _r29), _r29), _multiply(pace_e, _absolute(_s163, _r36), _r36), _r36)
+    _s165 = _add(_add(_add(_s164, _multiply(turn_n, _absolute(_multiply(_s111, _s94, _r29), _r29), _r29), _r29), _multiply(turn_z, _absolute(_multiply(_s111, _s98, _r36), _r36), _r36), _r36), _multiply(turn_z, _absolute(_multiply(_s111, _s96, _r29), _r29), _r29), _r29)
+    _s166 = _multiply(_k27, _add(_add(_add(_multiply(_s111, _s140, _r36), _multiply(_k73, _s144, _r28), _r28), _s145, _r28), _s165, _r29), _r29)
+    _s167 = _multiply(bend_s, _s137, _r45)
+    _s168 = _absolute(_s167, _r28)
+    _s169 = _add(_multiply(wx, tangent_x, _r36), _multiply(wy, tangent_y, _r14), _r14)
+    _s170 = _negative(_multiply(_s142, _s169, _r36), _r36)
+    _s171 = _add(_multiply(_s168, _s70, _r78), _multiply(_absolute(_s170, _r8), _s93, _r8), _r8)
+    _s172 = _multiply(bend_e, _subtract(_multiply(nz, _s67, _r78), _multiply(normal_velocity, _s66, _r30), _r30), _r30)
+    _s173 = _add(_s105, _add(_s135, _multiply(_absolute(_s172, _r78), _s93, _r78), _r78), _r78)
+    _s174 = _absolute(_subtract(_multiply(_k73, _negative(_multiply(_s172, _s95, _r47), _r47), _r47), _multiply(_s111, _negative(_add(_multiply(_s167, _s75, _r74), _multiply(_s170, _s95, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s175 = _subtract(_multiply(_k73, _subtract(_add(_multiply(_s21, _s96, _r18), _multiply(_s18, _s94, _r15), _r15), _multiply(_s172, _s97, _r18), _r18), _r18), _multiply(_s111, _subtract(_subtract(_add(_multiply(_s149, _s77, _r15), _multiply(_s151, _s74, _r47), _r47), _multiply(_s167, _s78, _r15), _r15), _multiply(_s170, _s97, _r47), _r47), _r47), _r47)
+    _s176 = _multiply(_s111, _subtract(_subtract(_add(_add(_multiply(_s154, _s80, _r18), _multiply(_s156, _s77, _r15), _r15), _multiply(_s157, _s74, _r18), _r18), _multiply(_s167, _s81, _r15), _r15), _multiply(_s170, _s99, _r18), _r18), _r18)
+    _s177 = _subtract(_multiply(_k73, _subtract(_add(_add(_multiply(_s31, _s98, _r12), _multiply(_s27, _s96, _r23), _r23), _multiply(_s29, _s94, _r22), _r22), _multiply(_s172, _s99, _r23), _r23), _r23), _s176, _r18)
+    _s178 = _absolute(_subtract(_multiply(_k73, _subtract(_s94, _multiply(_s172, _s100, _r23), _r23), _r23), _multiply(_s111, _negative(_add(_multiply(_s167, _s83, _r61), _multiply(_s170, _s100, _r22), _r22), _r22), _r22), _r22), _r22)
+    _s179 = _absolute(_subtract(_multiply(_k73, _subtract(_s96, _multiply(_s172, _s101, _r23), _r23), _r23), _multiply(_s111, _subtract(_subtract(_multiply(_s161, _s80, _r4), _multiply(_s167, _s85, _r61), _r61), _multiply(_s170, _s101, _r4), _r4), _r4), _r4), _r4)
+    _s180 = _add(_add(_add(_add(_multiply(place_n, _s174, _r0), _multiply(place_s, _absolute(_s175, _r47), _r47), _r47), _multiply(place_e, _absolute(_s177, _r18), _r18), _r18), _multiply(pace_n, _s178, _r22), _r22), _multiply(pace_s, _s179, _r4), _r4)
+    _s181 = _subtract(_multiply(_k73, _subtract(_s98, _multiply(_s172, _s103, _r30), _r30), _r30), _multiply(_s111, _subtract(_subtract(_negative(_multiply(_s161, _s77, _r16), _r16), _multiply(_s167, _s88, _r45), _r45), _multiply(_s170, _s103, _r36), _r36), _r36), _r36)
+    _s182 = _add(_add(_add(_s180, _multiply(pace_e, _absolute(_s181, _r36), _r36), _r36), _multiply(turn_n, _absolute(_negative(_multiply(_s111, _s74, _r48), _r48), _r48), _r48), _r48), _multiply(turn_z, _absolute(_negative(_multiply(_s111, _s80, _r53), _r53), _r53), _r53), _r53)
+    _s183 = _add(_add(_add(_multiply(_s111, _s171, _r48), _multiply(_k73, _s173, _r36), _r36), _s145, _r36), _add(_s182, _multiply(turn_z, _absolute(_negative(_multiply(_s111, _s77, _r51), _r51), _r51), _r51), _r51), _r51)
+    _s184 = _multiply(_k27, _s183, _r51)
+    _s185 = _negative(_multiply(bend_s, _s136, _r36), _r36)
+    _s186 = _multiply(_s107, _s169, _r53)
+    _s187 = _add(_multiply(_absolute(_s185, _r48), _s70, _r48), _multiply(_absolute(_s186, _r49), _s93, _r49), _r49)
+    _s188 = _k69 * _s161
+    _s189 = _add(_multiply(_s161, _s48, _r48), _s113, _r48)
+    _s190 = _add(_add(_add(_multiply(_s161, _add(_s118, _s124, _r33), _r33), _multiply(_s52, _add(_multiply(_k22, spin_bound, _r42), _multiply(_s188, _s47, _r37), _r37), _r37), _r37), _multiply(_s121, _add(spin_bound, _s113, _r33), _r33), _r33), _multiply(_s120, _s189, _r72), _r72)
+    _s191 = _add(_add(_s190, _multiply(_s122, _add(_multiply(_s188, _s48, _r33), _multiply(_k22, _s113, _r37), _r37), _r37), _r37), _multiply(_k64, _add(spin_bound, _multiply(_s52, _s113, _r38), _r38), _r38), _r38)
+    _s192 = _add(_add(_add(_add(_multiply(_s161, _s117, _r37), _multiply(_k22, _multiply(_s112, _s113, _r72), _r72), _r72), _multiply(_k73, _multiply(_multiply(normal_rounding, _s161, _r37), _s48, _r37), _r37), _r37), _s187, _r37), _s191, _r37)
+    _s193 = _multiply(place_s, _absolute(_subtract(_subtract(_add(_multiply(_s149, _s23, _r34), _multiply(_s151, _s10, _r10), _r10), _multiply(_s185, _s78, _r54), _r54), _multiply(_s186, _s97, _r17), _r17), _r17), _r17)
+    _s194 = _add(_multiply(place_n, _absolute(_negative(_add(_multiply(_s185, _s75, _r50), _multiply(_s186, _s95, _r60), _r60), _r60), _r60), _r60), _s193, _r17)
+    _s195 = _absolute(_subtract(_subtract(_add(_add(_multiply(_s154, _s33, _r68), _multiply(_s156, _s23, _r20), _r20), _multiply(_s157, _s10, _r21), _r21), _multiply(_s185, _s81, _r55), _r55), _multiply(_s186, _s99, _r13), _r13), _r13)
+    _s196 = _add(_add(_s194, _multiply(place_e, _s195, _r13), _r13), _multiply(pace_n, _absolute(_negative(_add(_multiply(_s185, _s83, _r56), _multiply(_s186, _s100, _r25), _r25), _r25), _r25), _r25), _r25)
+    _s197 = _add(_s196, _multiply(pace_s, _absolute(_subtract(_subtract(_multiply(_s161, _s33, _r13), _multiply(_s185, _s85, _r57), _r57), _multiply(_s186, _s101, _r24), _r24), _r24), _r24), _r24)
+    _s198 = _multiply(pace_e, _absolute(_subtract(_subtract(_negative(_multiply(_s161, _s23, _r25), _r25), _multiply(_s185, _s88, _r36), _r36), _multiply(_s186, _s103, _r53), _r53), _r53), _r53)
+    _s199 = _add(_s192, _add(_add(_add(_add(_s197, _s198, _r53), _multiply(turn_n, _absolute(_s10, _r2), _r2), _r2), _multiply(turn_z, _absolute(_s33, _r27), _r27), _r27), _multiply(turn_z, _absolute(_s23, _r19), _r19), _r19), _r19)
+    _s200 = _multiply(_k27, _s199, _r19)
+    _s201 = _add(_multiply(_s161, _add(_s117, _s145, _r75), _r75), _multiply(_k22, _multiply(_s112, _add(_multiply(_s188, _add(_s91, _s68, _r31), _r31), _s113, _r31), _r31), _r31), _r31)
+    _s202 = _select(_s109 < _s144, _s144, _s109, _r75)
+    _s203 = _select(_s187 < _s171, _s171, _s187, _r65)
+    _s204 = _multiply(_k27, _add(_add(_s201, _add(_multiply(_s161, _select(_s202 < _s173, _s173, _s202, _r67), _r67), _select(_s203 < _s140, _s140, _s203, _r75), _r75), _r75), _s191, _r75), _r75)
+    _s205 = _select(_s62 < _s89, _s89, _s62, _r38)
+    _s206 = _select(_s205 < _s104, _s104, _s205, _r31)
+    _s207 = _multiply(_k27, _add(_multiply(_k75, _subtract(_add(_add(_s62, _s104, _r65), _s89, _r65), _s206, _r65), _r65), _s206, _r65), _r65)
+    _s208 = _multiply(_s92, _s89, _r31)
+    _s209 = _add(_multiply(_s111, _s169, _r14), _multiply(_k73, _s67, _r41), _r41)
+    _s210 = _negative(_multiply(p_restitution, normal_velocity, _r14), _r14)
+    _s211 = _add(_s208, _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s209, _r38), _multiply(_s210, _s66, _r67), _r67), _r67), _r67), _s104, _r67), _r67)
+    _s212 = _multiply(_k64, _add(_multiply(bend_s, _s89, _r38), _multiply(bend_e, _s104, _r49), _r49), _r49)
+    _s213 = _multiply(_s116, _s212, _r70)
+    _s214 = _add(_add(_s211, _s213, _r67), _s184, _r67)
+    _s215 = _subtract(_multiply(_k73, _s90, _r52), _multiply(_s111, _s136, _r46), _r46)
+    _s216 = _add(_add(_multiply(_absolute(_multiply(bend_s, _s210, _r14), _r14), _s89, _r14), _multiply(_absolute(_negative(_multiply(_s142, _s215, _r52), _r52), _r52), _s104, _r52), _r52), _s213, _r52)
+    _s217 = _add(_s216, _s166, _r52)
+    _s218 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s209, _r14), _r14), _r14), _s89, _r14), _multiply(_absolute(_multiply(_s107, _s215, _r62), _r62), _s104, _r62), _r62), _s213, _r62)
+    _s219 = _add(_s218, _s134, _r62)
+    _s220 = _select(_s219 < _s217, _s217, _s219, _r70)
+    _s221 = _select(_s220 < _s214, _s214, _s220, _r14)
+    _s222 = _multiply(_k27, _add(_multiply(_k75, _subtract(_add(_add(_s214, _s217, _r38), _s219, _r38), _s221, _r38), _r38), _s221, _r38), _r38)
+    _s223 = _negative(_multiply(_s161, _s215, _r46), _r46)
+    _s224 = _multiply(_s161, _s209, _r41)
+    _s225 = _multiply(_s189, _s212, _r49)
+    _s226 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s223, _r48), _r48), _r48), _s89, _r48), _multiply(_absolute(_multiply(_multiply(bend_e, _s224, _r14), _s66, _r14), _r14), _s104, _r14), _r14), _s225, _r14)
+    _s227 = _add(_s226, _s200, _r14)
+    _s228 = _add(_add(_divide(_s166, p_ball_radius, _r48), _s208, _r48), _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s223, _r46), _s138, _r46), _r46), _r46), _s104, _r46), _r46)
+    _s229 = _add(_add(_s228, _s225, _r46), _s204, _r46)
+    _s230 = _add(_add(_add(_divide(_s184, p_ball_radius, _r48), _multiply(_s168, _s89, _r28), _r28), _multiply(_absolute(_negative(_multiply(_s142, _s224, _r41), _r41), _r41), _s104, _r41), _r41), _s225, _r41)
+    _s231 = _add(_s230, _s204, _r41)
+    _s232 = _select(_s227 < _s231, _s231, _s227, _r49)
+    _s233 = _select(_s232 < _s229, _s229, _s232, _r28)
+    _s234 = _multiply(_k27, _add(_multiply(_k75, _subtract(_add(_add(_s227, _s229, _r69), _s231, _r69), _s233, _r69), _r69), _s233, _r69), _r69)
+    return _result(_s63, _s62, _k30, _r0), _result(_s63, _s89, _k30, _r0), _result(_s63, _s104, _k30, _r0), _result(_s63, _s134, _k30, _r0), _result(_s63, _s166, _k30, _r0), _result(_s63, _s184, _k30, _r0), _result(_s63, _s200, _k30, _r0), _result(_s63, _s204, _k30, _r0), _result(_s63, _s207, _k30, _r0), _result(_s63, _s222, _k30, _r0), _result(_s63, _s234, _k30, _r0), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r69), _r69) + _select(_s63, _multiply(_k27, _s43, _r35), _k30, _r38)
 
 
 def vary_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, p_ball_radius: Any, p_restitution: Any, change_ball_radius: Any, change_restitution: Any) -> tuple[Any, ...]:
@@ -1769,7 +2226,7 @@ def ring_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx:
     t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _halves(_room[:11])
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
-    _s1 = _k64 / _s0
+    _s1 = _k63 / _s0
     _s2 = p_ball_radius + p_wire_radius
     _s3 = _k74 / _s2
     _s4 = (p_ring_radius - p_ball_radius) - p_wire_radius
@@ -1790,18 +2247,18 @@ def ring_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx:
     _s19 = _add(_add(_multiply(_s18, _s13, _r2), _multiply(_s15, _absolute(_add(vz, _multiply(_s18, t, _r4), _r4), _r4), _r4), _r4), _absolute(z, _r2), _r2)
     _s20 = _add(_k24, _multiply(_k25, _s19, _r2), _r2)
     _s21 = _k36 * (p_ring_radius * _s3)
-    _s22 = _add(_divide(_multiply(_multiply(_k82, _s14, _r4), _add(_add(_s16, _s17, _r7), _s20, _r7), _r4), _s5, _r4), _multiply(_k35 * (_k83 + _s21), _s14, _r8), _r8)
-    _s23 = _multiply(_k84, _s22, _r4)
-    _s24 = _multiply(_k85, _multiply(_divide(_multiply(normal_velocity, normal_velocity, _r7), _add(_add(_multiply(vx, vx, _r9), _multiply(vy, vy, _r10), _r10), _multiply(vz, vz, _r9), _r9), _r9), _s2, _r9), _r9)
+    _s22 = _add(_divide(_multiply(_multiply(_k92, _s14, _r4), _add(_add(_s16, _s17, _r7), _s20, _r7), _r4), _s5, _r4), _multiply(_k35 * (_k93 + _s21), _s14, _r8), _r8)
+    _s23 = _multiply(_k94, _s22, _r4)
+    _s24 = _multiply(_k95, _multiply(_divide(_multiply(normal_velocity, normal_velocity, _r7), _add(_add(_multiply(vx, vx, _r9), _multiply(vy, vy, _r10), _r10), _multiply(vz, vz, _r9), _r9), _r9), _s2, _r9), _r9)
     _s25 = _add(_add(_s12, _s22, _r8), _select(_s23 < _s24, _s24, _s23, _r7), _r7)
-    _s26 = _add(_multiply(_k25, _add(_k86 * _s2, _multiply(_k22, _s0, _r1), _r1), _r1), _add(_add(_multiply(_absolute(nx, _r4), _s16, _r4), _multiply(_absolute(ny, _r5), _s17, _r5), _r5), _multiply(_absolute(nz, _r4), _s20, _r4), _r4), _r4)
-    _s27 = _multiply(_k84, _s26, _r1)
+    _s26 = _add(_multiply(_k25, _add(_k96 * _s2, _multiply(_k22, _s0, _r1), _r1), _r1), _add(_add(_multiply(_absolute(nx, _r4), _s16, _r4), _multiply(_absolute(ny, _r5), _s17, _r5), _r5), _multiply(_absolute(nz, _r4), _s20, _r4), _r4), _r4)
+    _s27 = _multiply(_k94, _s26, _r1)
     _s28 = _add(_add(_s12, _s26, _r4), _select(_s27 < _s24, _s24, _s27, _r6), _r6)
     _s29 = _add(place_n, _s28, _r1)
-    _s30 = _multiply(_k72, _divide(_s11, _s5, _r0), _r0) <= _k64
+    _s30 = _multiply(_k72, _divide(_s11, _s5, _r0), _r0) <= _k63
     _s31 = _k29 < back
     _s32 = _add(place_n, _s25, _r0)
-    return -_multiply(y, _s1, _r4), x * _s1, _s3, _s1, _k74 / _s5, _result(_s31, _select(_s30, _s25, _select(_s25 < _s29, _s29, _s25, _r4), _r9), _s28, _r0), _result(_s31, _select(_s30, _s32, _select(_s32 < _s28, _s28, _s32, _r9), _r4), _s28, _r0), _k35 * (_k87 + _s21)
+    return -_multiply(y, _s1, _r4), x * _s1, _s3, _s1, _k74 / _s5, _result(_s31, _select(_s30, _s25, _select(_s25 < _s29, _s29, _s25, _r4), _r9), _s28, _r0), _result(_s31, _select(_s30, _s32, _select(_s32 < _s28, _s28, _s32, _r9), _r4), _s28, _r0), _k35 * (_k97 + _s21)
 
 
 def ring_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any) -> tuple[Any, ...]:
@@ -1885,7 +2342,7 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s32 = _add(x, _multiply(vx, horizon, _r7), _r7)
     _s33 = _add(y, _multiply(vy, horizon, _r8), _r8)
     _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k7, _k45, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k7, _k45, _k7, _r8), _r15)
-    _s35 = _select(_subtract(_multiply(_multiply(_k93, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k46, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k7, _s34, _k7, _r7)
+    _s35 = _select(_subtract(_multiply(_multiply(_k103, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k46, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k7, _s34, _k7, _r7)
     _s36 = _select(horizon < _subtract(_s11, _multiply(_k60, horizon, _r10), _r10), _k45, _select(_k7 < _s20, _select(_k7 < _s30, _s35, _k7, _r12), _k7, _r13), _r10)
     _s37 = _add(_multiply(x, vx, _r4), _multiply(y, vy, _r9), _r9)
     _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
@@ -1910,7 +2367,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s7 = p_ball_radius + p_wire_radius
     _s8 = 1.00006103515625 * _s7
     _s9 = 2.0 * p_gravity
-    _s10 = _multiply(_k99, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
+    _s10 = _multiply(_k109, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
     _s11 = _add(_add(_s0, _multiply(_s9, _add(z, _s8, _r6), _r6), _r6), _s10, _r6)
     _s12 = 1.0 / p_gravity
     _s13 = _sqrt(_s11, _r7)
@@ -1926,20 +2383,20 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s23 = _multiply(_k47, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
     _s24 = _divide(_k45, _s1, _r14)
     _s25 = _k7 <= _s20
-    _s26 = _k100 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k101, _r16)
+    _s26 = _k110 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k111, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
     _s33 = _sqrt(_select(_s32 < _k7, _k7, _s32, _r1), _r1)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k101, _r10), _k8, _r18)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k111, _r10), _k8, _r18)
     _s35 = _k7 < _select(_s26, _s32, _k7, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
     _s38 = _sqrt(_select(_s37 < _k7, _k7, _s37, _r4), _r4)
-    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k101, _r0)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k111, _r0)
     _s40 = _k7 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
@@ -1982,9 +2439,9 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s8 = 0.0001220703125 * p_ring_radius
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
-    _s11 = _multiply(_k105, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k106, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = _k14 * _add(_add(_multiply(_multiply(_k107, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
-    return _k14 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k14 * _add(_multiply(_k107, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+    _s11 = _multiply(_k115, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k116, _s1, _r5), _r5), _r5), _r5), _r5)
+    _s12 = _k14 * _add(_add(_multiply(_multiply(_k117, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
+    return _k14 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k14 * _add(_multiply(_k117, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2040,7 +2497,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s23 = _subtract(_add(_s16, _s17, _r8), energy2, _r8)
     _s24 = _s20 < _k7
     _s25 = _multiply(_k46, _s22, _r10)
-    _s26 = _select(_k7 < _select(_k7 <= _s20, _s22, _k7, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k93, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k7 < _s23, _s23, _k7, _r14), _r15), _r12), _r11)
+    _s26 = _select(_k7 < _select(_k7 <= _s20, _s22, _k7, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k103, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k7 < _s23, _s23, _k7, _r14), _r15), _r12), _r11)
     _s27 = _subtract(end, t, _r15)
     _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
     _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k7, _k7, _s13, _r8), _r8), _s8, _r8), _r8)
@@ -2051,7 +2508,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s34 = _where(_s32 < _s33, _s33, _s32)
     _s35 = _divide(_k45, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
     _s36 = _multiply(moment2, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
-    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k113, _add(_add(_s36, _absolute(energy2, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), energy2, _r6)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k123, _add(_add(_s36, _absolute(energy2, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), energy2, _r6)
     _s38 = _add(_multiply(_multiply(_k46, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
     _s39 = _sqrt(_s38, _r3)
     _s40 = _select(_k7 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k7 < _s37, _s37, _k7, _r5), _r1), _r7), _k8, _r9)
@@ -2068,47 +2525,47 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = _k115 * (p_ball_radius + p_wire_radius)
+    _s1 = _k125 * (p_ball_radius + p_wire_radius)
     _s2 = _k36 * p_gravity
-    _s3 = _multiply(_k116, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s3 = _multiply(_k126, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
     _s5 = _k74 / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(_k117, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s7 = _multiply(_k68, _add(_absolute(vz, _r4), _s6, _r4), _r4)
     _s8 = _k29 <= _s4
     _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k30, _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(_k117, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_k68, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(_k117, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
-    _s20 = _divide(_k64, _s10, _r13)
+    _s19 = _multiply(_k68, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s20 = _divide(_k63, _s10, _r13)
     _s21 = _k29 <= _s16
-    _s22 = _k118 < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k30, _r14), _k119, _r15)
+    _s22 = _k127 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k30, _r14), _k128, _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
     _s25 = _select(_k29 < _s24, _s24, _k29, _r17)
     _s26 = _select(_k29 < _s25, _s25, _k29, _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = _k120 * p_ring_radius
+    _s28 = _k129 * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
     _s31 = _sqrt(_select(_s30 < _k29, _k29, _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k119, _r6), _k30, _r19)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k128, _r6), _k30, _r19)
     _s33 = _k29 < _select(_s22, _s30, _k29, _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
     _s36 = _sqrt(_select(_s35 < _k29, _k29, _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k119, _r0)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k128, _r0)
     _s38 = _k29 < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(_k121, horizon, _r24)
+    _s41 = _multiply(_k130, horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
     _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k30, _r13)
@@ -2133,8 +2590,8 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s63 = _select(_k29 < _s40, _s40, _k29, _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k122 * _s29)), (_s11 <= ((_k122 * p_ball_radius) + (_k122 * p_wire_radius)))), (_s11 <= _k123)), (_k124 <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k29, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k29, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k123)), (_k124 <= p_gravity)), (extent <= _k125)), (speed <= _k125))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k131 * _s29)), (_s11 <= ((_k131 * p_ball_radius) + (_k131 * p_wire_radius)))), (_s11 <= _k132)), (_k133 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k29, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k29, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k132)), (_k133 <= p_gravity)), (extent <= _k134)), (speed <= _k134))
 
 
 def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2147,30 +2604,30 @@ def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any
     _s0 = _k29 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k115 * _s2
+    _s3 = _k125 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k120 * p_ring_radius
+    _s5 = _k129 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
     _s8 = _where(_k74 < _s7, _s7, _k74)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(_k131, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_k132, start_rate, _r3), _s11, _r3)
-    _s13 = _select(_s12 < _k133, _s12, _k133, _r5)
-    _s14 = _result(_s0, _select(_k134 < _s13, _s13, _k134, _r6), _k133, _r0)
-    _s15 = _add(_multiply(_k22, _multiply(vz, vz, _r7), _r7), _multiply(_k80 * p_gravity, z, _r8), _r8) + _multiply(_k22, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_k139, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_k140, start_rate, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _k141, _s12, _k141, _r5)
+    _s14 = _result(_s0, _select(_k142 < _s13, _s13, _k142, _r6), _k141, _r0)
+    _s15 = _add(_multiply(_k22, _multiply(vz, vz, _r7), _r7), _multiply(_k85 * p_gravity, z, _r8), _r8) + _multiply(_k22, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s17 = (_k36 * p_ring_radius) * _multiply(_s16, _s16, _r8)
     _s18 = _k74 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((_k135 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_k143 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k117, _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(_k136, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _k37, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k27 * _s20, (_k137 * _s2) * _s24, _result(_s0, _multiply(_k27, _add(_multiply(_k116, _absolute(start_rate, _r12), _r12), _multiply(_add(_k138, _s14, _r2), _s11, _r2), _r2), _r2), _k30, _r0), _k27 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k139 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k131 * _add(_multiply(_multiply(_k27, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k140, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k141 * p_ball_radius) + (_k141 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k29))
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k68, _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(_k144, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _k37, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k27 * _s20, (_k145 * _s2) * _s24, _result(_s0, _multiply(_k27, _add(_multiply(_k126, _absolute(start_rate, _r12), _r12), _multiply(_add(_k146, _s14, _r2), _s11, _r2), _r2), _r2), _k30, _r0), _k27 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k147 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k139 * _add(_multiply(_multiply(_k27, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k148, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k149 * p_ball_radius) + (_k149 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k29))
 
 
 def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2191,7 +2648,7 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s8 = _add(y, _multiply(vy, t, _r5), _r5)
     _s9 = _sqrt(_add(_multiply(_s7, _s7, _r6), _multiply(_s8, _s8, _r7), _r7), _r7)
     _s10 = _add(rho_start, _s9, _r6)
-    _s11 = _divide(_k64, _multiply(_s10, _s9, _r8), _r8)
+    _s11 = _divide(_k63, _multiply(_s10, _s9, _r8), _r8)
     _s12 = _multiply(_s9, _s11, _r9)
     _s13 = _multiply(_s12, _add(_multiply(t, _s6, _r10), _multiply(_k22, _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12), _r12), _r12), _r12)
     _s14 = _subtract(vz, _multiply(_k23 * p_gravity, t, _r10), _r10)
@@ -2210,32 +2667,32 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s27 = _select(_s26 < _k29, _k29, _s26, _r15)
     _s28 = _multiply(_k22, _add(_s27, _multiply(_k22, _s25, _r12), _r12), _r12)
     _s29 = _subtract(_s22, _s5, _r2)
-    _s30 = _k148 * p_gravity
+    _s30 = _k156 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(moment2, _multiply(_s17, _multiply(_s17, _s17, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), energy2, _r17)
     _s34 = _s29 < _k29
     _s35 = _multiply(_k22, _s27, _r18)
-    _s36 = _select(_k29 < _select(_k29 <= _s29, _s27, _k29, _r19), _k30, _divide(_select(_s34, _add(_s35, _multiply(_k149, _s25, _r19), _r19), _multiply(_k72, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k29 < _s33, _s33, _k29, _r23), _r24), _r21), _r20)
+    _s36 = _select(_k29 < _select(_k29 <= _s29, _s27, _k29, _r19), _k30, _divide(_select(_s34, _add(_s35, _multiply(_k157, _s25, _r19), _r19), _multiply(_k72, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k29 < _s33, _s33, _k29, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _k115 * _s24
-    _s40 = _add((_k120 * p_ball_radius) + (_k120 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k29, _k29, _s21, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k125 * _s24
+    _s40 = _add((_k129 * p_ball_radius) + (_k129 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k29, _k29, _s21, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k29 < _s18, _k29, _s18, _r23), _r23), _s9, _r23), _multiply(_k150, _s42, _r7), _r7), _k127 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k29 < _s18, _k29, _s18, _r23), _r23), _s9, _r23), _multiply(_k158, _s42, _r7), _r7), _k83 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = _k120 * p_ring_radius
+    _s45 = _k129 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
-    _s47 = _divide(_k64, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
+    _s47 = _divide(_k63, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(moment2, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(energy2, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k151, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k159, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
     _s51 = _negative(_s21, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k124 * p_ball_radius) + (_k124 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k29, _k29, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k152, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(energy2, _add(_s52, _multiply(_k153, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k133 * p_ball_radius) + (_k133 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k29, _k29, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k160, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(energy2, _add(_s52, _multiply(_k161, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
-    _s55 = _select(_k29 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k149, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
+    _s55 = _select(_k29 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k157, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
     _s56 = _k29 < _s55
     _s57 = _add(_multiply(_multiply(_k22, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
@@ -2419,7 +2876,7 @@ def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any,
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k164, _s0, _r1), _r1) + _multiply(_k165, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k170, _s0, _r1), _r1) + _multiply(_k171, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def backboard_place(y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
@@ -2529,7 +2986,7 @@ def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, ve
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k164, _s0, _r1), _r1) + _multiply(_k165, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k170, _s0, _r1), _r1) + _multiply(_k171, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def bridge_place(x: Any, y: Any, p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -2631,7 +3088,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k164, _s0, _r1), _r1) + _multiply(_k165, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k170, _s0, _r1), _r1) + _multiply(_k171, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -3054,9 +3511,9 @@ def _ring_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, positi
     _s0 = speed + (p_gravity * horizon)
     _s1 = horizon * _s0
     _s2 = (position_error + (horizon * velocity_error)) - (share * (_s1 + (extent + _s1)))
-    _s3 = _k91 * (p_ball_radius + p_wire_radius)
+    _s3 = _k101 * (p_ball_radius + p_wire_radius)
     _s4 = p_ring_radius - _s3
-    _s5 = _k92 * p_ring_radius
+    _s5 = _k102 * p_ring_radius
     _s6 = _s3 / (_s5 if _s4 < _s5 else _s4)
     _s7 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * _s2) + (_s3 * (velocity_error - (share * _s0)))
     return _s7 if _s2 < _s7 else _s2,
@@ -3071,9 +3528,9 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s5 = (_k48 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = _k91 * _s7
+    _s8 = _k101 * _s7
     _s9 = _k48 * p_gravity
-    _s10 = _k102 * (_s0 + (_s9 * (abs(z) + _s8)))
+    _s10 = _k112 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
     _s12 = _k1 / p_gravity
     _s13 = _root(_s11)
@@ -3089,20 +3546,20 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s23 = _k50 * ((abs(_s21) + abs(_s3)) + _s22)
     _s24 = _k1 / _s1
     _s25 = _k2 <= _s20
-    _s26 = _k103 < _s1
-    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k104
+    _s26 = _k113 < _s1
+    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k114
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = _k92 * p_ring_radius
+    _s30 = _k102 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k104) if _s26 else _k10
+    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k114) if _s26 else _k10
     _s35 = _k2 < (_s32 if _s26 else _k2)
     _s36 = (((_s23 - _s21) - _s33) * _s24) if _s35 else _s34
     _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
     _s38 = _root((_k2 if _s37 < _k2 else _s37))
-    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k104
+    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k114
     _s40 = _k2 < _s37
     _s41 = (_s12 * ((vz + _s14) - _s38)) if _s40 else _s39
     _s42 = _s36 if _s36 < _s41 else _s41
@@ -3121,28 +3578,28 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (_k94 * p_ring_radius) - (p_ring_radius - _s7)
+    _s58 = (_k104 * p_ring_radius) - (p_ring_radius - _s7)
     _s59 = _root(_k48) * _root((_s12 * (((_k48 * p_ball_radius) + (_k48 * p_wire_radius)) + extent)))
     _s60 = _s59 + ((_k48 * speed) * _s12)
-    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k95 * p_ball_radius)) - (_k95 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k98 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
+    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k105 * p_ball_radius)) - (_k105 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k108 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = _k91 * _s0
+    _s2 = _k101 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (_k21 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = _k92 * p_ring_radius
+    _s8 = _k102 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
     _s10 = _s9 if _k1 < _s9 else _k1
-    _s11 = _k111 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k112 * _s1))))
-    _s12 = _k18 * ((((_k110 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
-    return _k18 * ((((_k21 * horizon) * _s3) + ((_k108 * _s0) * _s4)) + ((_k109 * _s0) * _s6)), _s12, _k18 * ((_k110 * (_s4 * _s1)) + _s11)
+    _s11 = _k121 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k122 * _s1))))
+    _s12 = _k18 * ((((_k120 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
+    return _k18 * ((((_k21 * horizon) * _s3) + ((_k118 * _s0) * _s4)) + ((_k119 * _s0) * _s6)), _s12, _k18 * ((_k120 * (_s4 * _s1)) + _s11)
 
 
 def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3180,8 +3637,8 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s15 = _k9 * p_gravity
     _s16 = _s15 * _s8
     _s17 = moment2 * (_s11 * (_s11 * _s11))
-    _s18 = _k91 * _s9
-    _s19 = _k114 * (p_ring_radius + _s18)
+    _s18 = _k101 * _s9
+    _s19 = _k124 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
     _s22 = _k2 if _s21 < _k2 else _s21
@@ -3195,11 +3652,11 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
     _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = _k92 * p_ring_radius
+    _s33 = _k102 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = moment2 * (_s35 * (_s35 * _s35))
-    _s37 = ((_s30 + _s36) + (_k114 * ((_s36 + abs(energy2)) + abs(_s30)))) - energy2
+    _s37 = ((_s30 + _s36) + (_k124 * ((_s36 + abs(energy2)) + abs(_s30)))) - energy2
     _s38 = ((_k48 * _s37) * _s22) + (_s20 * _s20)
     _s39 = _root(_s38)
     _s40 = ((_s25 if _s24 else (_s20 + _s39)) / ((_s39 - _s20) if _s24 else (_s37 if _k2 < _s37 else _k2))) if (_k2 <= _s38) else _k10
@@ -3210,47 +3667,47 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
 
 def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = vz * vz
-    _s1 = _k115 * (p_ball_radius + p_wire_radius)
+    _s1 = _k125 * (p_ball_radius + p_wire_radius)
     _s2 = _k36 * p_gravity
-    _s3 = _k126 * (_s0 + (_s2 * (abs(z) + _s1)))
+    _s3 = _k135 * (_s0 + (_s2 * (abs(z) + _s1)))
     _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
     _s5 = _k74 / p_gravity
     _s6 = _root(_s4)
-    _s7 = _k127 * (abs(vz) + _s6)
+    _s7 = _k83 * (abs(vz) + _s6)
     _s8 = _k37 <= _s4
     _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k39
     _s10 = (vx * vx) + (vy * vy)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = (_k127 * _s10) * (_s12 + ((x * x) + (y * y)))
+    _s13 = (_k83 * _s10) * (_s12 + ((x * x) + (y * y)))
     _s14 = (x * vy) - (y * vx)
     _s15 = _s14 * _s14
     _s16 = ((_s12 * _s10) + _s13) - _s15
     _s17 = (x * vx) + (y * vy)
     _s18 = _root(_s16)
-    _s19 = _k127 * ((abs(_s17) + abs(_s14)) + _s18)
+    _s19 = _k83 * ((abs(_s17) + abs(_s14)) + _s18)
     _s20 = _k74 / _s10
     _s21 = _k37 <= _s16
-    _s22 = _k128 < _s10
-    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k39) if _s22 else _k129
+    _s22 = _k136 < _s10
+    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k39) if _s22 else _k137
     _s24 = _s23 if _s9 < _s23 else _s9
     _s25 = _s24 if _k37 < _s24 else _k37
     _s26 = _s25 if _k37 < _s25 else _k37
     _s27 = p_ring_radius - _s1
-    _s28 = _k120 * p_ring_radius
+    _s28 = _k129 * p_ring_radius
     _s29 = _s28 if _s27 < _s28 else _s27
     _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15
     _s31 = _root((_k37 if _s30 < _k37 else _s30))
-    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k129) if _s22 else _k39
+    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k137) if _s22 else _k39
     _s33 = _k37 < (_s30 if _s22 else _k37)
     _s34 = (((_s19 - _s17) - _s31) * _s20) if _s33 else _s32
     _s35 = (_s0 + (_s2 * (z - _s1))) - _s3
     _s36 = _root((_k37 if _s35 < _k37 else _s35))
-    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k129
+    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k137
     _s38 = _k37 < _s35
     _s39 = (_s5 * ((vz + _s7) - _s36)) if _s38 else _s37
     _s40 = _s34 if _s34 < _s39 else _s39
-    _s41 = _k130 * horizon
+    _s41 = _k138 * horizon
     _s42 = _s40 if _s40 < _s41 else _s41
     _s43 = _s26 < _s42
     _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k39
@@ -3275,38 +3732,38 @@ def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, v
     _s63 = _s40 if _k37 < _s40 else _k37
     _s64 = _s54 if _s63 < _s54 else _s63
     _s65 = _s60 if _s64 < _s60 else _s64
-    _s66 = (((_s11 <= (_k122 * _s29)) and (_s11 <= ((_k122 * p_ball_radius) + (_k122 * p_wire_radius)))) and (_s11 <= _k123)) and (_k124 <= _s29)
-    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k37)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k37)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k123)) and (_k124 <= p_gravity)) and (extent <= _k123)) and (speed <= _k123)
+    _s66 = (((_s11 <= (_k131 * _s29)) and (_s11 <= ((_k131 * p_ball_radius) + (_k131 * p_wire_radius)))) and (_s11 <= _k132)) and (_k133 <= _s29)
+    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k37)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k37)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k132)) and (_k133 <= p_gravity)) and (extent <= _k132)) and (speed <= _k132)
 
 
 def _ring_resolution_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = _k37 < leaving
     _s1 = speed + (p_gravity * horizon)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k115 * _s2
+    _s3 = _k125 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k120 * p_ring_radius
+    _s5 = _k129 * p_ring_radius
     _s6 = _s5 if _s4 < _s5 else _s4
     _s7 = _s2 / _s6
     _s8 = _s7 if _k74 < _s7 else _k74
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
-    _s11 = _k144 * ((_s9 * _s10) + (_s2 * _s1))
-    _s12 = (_k143 * start_rate) / _s11
-    _s13 = _s12 if _s12 < _k145 else _k145
-    _s14 = (_s13 if _k142 < _s13 else _k142) if _s0 else _k145
-    _s15 = ((_k36 * (vz * vz)) + ((_k80 * p_gravity) * z)) + (_k36 * ((vx * vx) + (vy * vy)))
+    _s11 = _k152 * ((_s9 * _s10) + (_s2 * _s1))
+    _s12 = (_k151 * start_rate) / _s11
+    _s13 = _s12 if _s12 < _k153 else _k153
+    _s14 = (_s13 if _k150 < _s13 else _k150) if _s0 else _k153
+    _s15 = ((_k36 * (vz * vz)) + ((_k85 * p_gravity) * z)) + (_k36 * ((vx * vx) + (vy * vy)))
     _s16 = (x * vy) - (y * vx)
     _s17 = (_k36 * p_ring_radius) * (_s16 * _s16)
     _s18 = _k74 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = (((_k135 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
+    _s20 = (((_k143 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
     _s21 = horizon - t
     _s22 = p_gravity * (_s21 * _s21)
     _s23 = p_ring_radius + _s3
-    _s24 = (_s10 * _s14) + (_k127 * (_s22 + _s23))
+    _s24 = (_s10 * _s14) + (_k83 * (_s22 + _s23))
     _s25 = (_k23 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
-    return _s14, _k37, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k38 * _s20, (_k137 * _s2) * _s24, (_k38 * ((_k126 * abs(start_rate)) + ((_k146 + _s14) * _s11))) if _s0 else _k39, _k38 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k139 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k144 * (((_k38 * _s9) * _s24) + (((_k147 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k141 * p_ball_radius) + (_k141 * p_wire_radius))) and ((t * leaving) <= _k37)
+    return _s14, _k37, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k38 * _s20, (_k145 * _s2) * _s24, (_k38 * ((_k135 * abs(start_rate)) + ((_k154 + _s14) * _s11))) if _s0 else _k39, _k38 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k147 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k152 * (((_k38 * _s9) * _s24) + (((_k155 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k149 * p_ball_radius) + (_k149 * p_wire_radius))) and ((t * leaving) <= _k37)
 
 
 def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3340,32 +3797,32 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s27 = _k37 if _s26 < _k37 else _s26
     _s28 = _k36 * (_s27 + (_k36 * _s25))
     _s29 = _s22 - _s5
-    _s30 = _k148 * p_gravity
+    _s30 = _k156 * p_gravity
     _s31 = _s30 * _s20
     _s32 = moment2 * (_s17 * (_s17 * _s17))
     _s33 = (_s31 + _s32) - energy2
     _s34 = _s29 < _k37
     _s35 = _k36 * _s27
-    _s36 = _k39 if (_k37 < (_s27 if (_k37 <= _s29) else _k37)) else (((_s35 + (_k154 * _s25)) if _s34 else (_k80 * _s29)) / ((-_s29) if _s34 else (_s33 if _k37 < _s33 else _k37)))
+    _s36 = _k39 if (_k37 < (_s27 if (_k37 <= _s29) else _k37)) else (((_s35 + (_k162 * _s25)) if _s34 else (_k85 * _s29)) / ((-_s29) if _s34 else (_s33 if _k37 < _s33 else _k37)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
-    _s39 = _k115 * _s24
-    _s40 = ((_k120 * p_ball_radius) + (_k120 * p_wire_radius)) + ((_s38 * (_k37 if _s21 < _k37 else _s21)) + _s20)
+    _s39 = _k125 * _s24
+    _s40 = ((_k129 * p_ball_radius) + (_k129 * p_wire_radius)) + ((_s38 * (_k37 if _s21 < _k37 else _s21)) + _s20)
     _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
     _s42 = (abs(vx) + abs(vy)) * _s38
-    _s43 = (((_s38 * (_k37 if _k37 < _s18 else _s18)) + _s9) - (_k120 * _s42)) - (_k127 * (p_ring_radius + _s39))
+    _s43 = (((_s38 * (_k37 if _k37 < _s18 else _s18)) + _s9) - (_k129 * _s42)) - (_k83 * (p_ring_radius + _s39))
     _s44 = p_ring_radius - _s39
-    _s45 = _k120 * p_ring_radius
+    _s45 = _k129 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
     _s47 = _k74 / (_s46 if _s43 < _s46 else _s43)
     _s48 = moment2 * (_s47 * (_s47 * _s47))
     _s49 = abs(energy2)
-    _s50 = ((_s41 + _s48) + (_k155 * ((_s48 + _s49) + abs(_s41)))) - energy2
+    _s50 = ((_s41 + _s48) + (_k163 * ((_s48 + _s49) + abs(_s41)))) - energy2
     _s51 = -_s21
-    _s52 = (_s30 * (((_k124 * p_ball_radius) + (_k124 * p_wire_radius)) + (((p_gravity * _s38) + (_k37 if _s51 < _k37 else _s51)) * _s38))) + ((_k156 * (_s32 * _s17)) * _s42)
-    _s53 = energy2 + (_s52 + (_k124 * ((_s49 + abs(_s31)) + _s32)))
+    _s52 = (_s30 * (((_k133 * p_ball_radius) + (_k133 * p_wire_radius)) + (((p_gravity * _s38) + (_k37 if _s51 < _k37 else _s51)) * _s38))) + ((_k164 * (_s32 * _s17)) * _s42)
+    _s53 = energy2 + (_s52 + (_k133 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
-    _s55 = ((_s23 * _s23) - ((_k154 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k37 < _s23) else _s23
+    _s55 = ((_s23 * _s23) - ((_k162 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k37 < _s23) else _s23
     _s56 = _k37 < _s55
     _s57 = ((_k36 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
@@ -3391,10 +3848,10 @@ def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_rin
 def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = speed + (p_gravity * horizon)
     _s1 = share * (extent + (horizon * _s0))
-    _s2 = _k91 * (p_ball_radius + p_wire_radius)
-    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k157 * (p_ring_radius + _s2))
+    _s2 = _k101 * (p_ball_radius + p_wire_radius)
+    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k165 * (p_ring_radius + _s2))
     _s4 = p_ring_radius - _s2
-    _s5 = _k92 * p_ring_radius
+    _s5 = _k102 * p_ring_radius
     _s6 = _s2 / (_s5 if _s4 < _s5 else _s4)
     _s7 = (position_error + ((_k0 * horizon) * velocity_error)) - _s1
     _s8 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * (_s3 if _s7 < _s3 else _s7)) + (_s2 * (velocity_error - (share * _s0)))
@@ -3402,11 +3859,11 @@ def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any,
 
 
 def _ring_budget_exceeded_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    _s0 = (_k94 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s0 = (_k104 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = _k1 / p_gravity
     _s2 = _root(_k48) * _root((_s1 * (((_k48 * p_ball_radius) + (_k48 * p_wire_radius)) + extent)))
     _s3 = _s2 + ((_k48 * speed) * _s1)
-    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k95 * p_ball_radius)) - (_k95 * p_wire_radius)
+    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k105 * p_ball_radius)) - (_k105 * p_wire_radius)
     return _s4 if _s0 < _s4 else _s0,
 
 
@@ -4248,11 +4705,11 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
 
 def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage resolve of the event loop, with bounds on errors."""
-    _body_0, _claims_0, _clock_0, _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _ends_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _limited_0, _outcome_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _spin_bound_0, _touches_0, _turn_n_0, _turn_z_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("body", "claims", "clock", "clock_error", "count_0", "count_1", "count_2", "ends", "first", "last", "left_bend_e", "left_bend_s", "left_ex", "left_ey", "left_nx", "left_ny", "left_nz", "limited", "outcome", "p_ball_radius", "p_board_distance", "p_gravity", "p_restitution", "p_ring_radius", "p_wire_radius", "pace_e", "pace_n", "pace_s", "place_e", "place_n", "place_s", "position_bound", "spin_bound", "touches", "turn_n", "turn_z", "uncertain", "velocity_bound", "vx", "vy", "vz", "when", "which", "wx", "wy", "wz", "x", "y", "z",))
+    _body_0, _claims_0, _clock_0, _clock_error_0, _continued_0, _count_0_0, _count_1_0, _count_2_0, _ends_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _limited_0, _origin_e_0, _origin_s_0, _origin_t_0, _origin_u_0, _origin_v_0, _origin_w_0, _outcome_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _product_11_0, _product_12_0, _product_13_0, _product_14_0, _product_15_0, _product_16_0, _product_21_0, _product_22_0, _product_23_0, _product_24_0, _product_25_0, _product_26_0, _product_31_0, _product_32_0, _product_33_0, _product_34_0, _product_35_0, _product_36_0, _product_41_0, _product_42_0, _product_43_0, _product_44_0, _product_45_0, _product_46_0, _product_51_0, _product_52_0, _product_53_0, _product_54_0, _product_55_0, _product_56_0, _product_61_0, _product_62_0, _product_63_0, _product_64_0, _product_65_0, _product_66_0, _recent_e_0, _recent_s_0, _recent_t_0, _recent_u_0, _recent_v_0, _recent_w_0, _spin_bound_0, _tightening_0, _touches_0, _turn_n_0, _turn_z_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("body", "claims", "clock", "clock_error", "continued", "count_0", "count_1", "count_2", "ends", "first", "last", "left_bend_e", "left_bend_s", "left_ex", "left_ey", "left_nx", "left_ny", "left_nz", "limited", "origin_e", "origin_s", "origin_t", "origin_u", "origin_v", "origin_w", "outcome", "p_ball_radius", "p_board_distance", "p_gravity", "p_restitution", "p_ring_radius", "p_wire_radius", "pace_e", "pace_n", "pace_s", "place_e", "place_n", "place_s", "position_bound", "product_11", "product_12", "product_13", "product_14", "product_15", "product_16", "product_21", "product_22", "product_23", "product_24", "product_25", "product_26", "product_31", "product_32", "product_33", "product_34", "product_35", "product_36", "product_41", "product_42", "product_43", "product_44", "product_45", "product_46", "product_51", "product_52", "product_53", "product_54", "product_55", "product_56", "product_61", "product_62", "product_63", "product_64", "product_65", "product_66", "recent_e", "recent_s", "recent_t", "recent_u", "recent_v", "recent_w", "spin_bound", "tightening", "touches", "turn_n", "turn_z", "uncertain", "velocity_bound", "vx", "vy", "vz", "when", "which", "wx", "wy", "wz", "x", "y", "z",))
     _meeting_0, = meeting(_claims_0, _ends_0, _touches_0)
     _rows1, _count2 = _rows(_meeting_0, shots)
     if _count2:
-        _body_1, _clock_1, _clock_error_1, _count_0_1, _count_1_1, _count_2_1, _ends_1, _first_1, _last_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _p_ball_radius_1, _p_board_distance_1, _p_gravity_1, _p_restitution_1, _p_ring_radius_1, _p_wire_radius_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _touches_1, _turn_n_1, _turn_z_1, _uncertain_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows1, _body_0, _clock_0, _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _ends_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _spin_bound_0, _touches_0, _turn_n_0, _turn_z_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
+        _body_1, _clock_1, _clock_error_1, _continued_1, _count_0_1, _count_1_1, _count_2_1, _ends_1, _first_1, _last_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _origin_e_1, _origin_s_1, _origin_t_1, _origin_u_1, _origin_v_1, _origin_w_1, _p_ball_radius_1, _p_board_distance_1, _p_gravity_1, _p_restitution_1, _p_ring_radius_1, _p_wire_radius_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _product_11_1, _product_12_1, _product_13_1, _product_14_1, _product_15_1, _product_16_1, _product_21_1, _product_22_1, _product_23_1, _product_24_1, _product_25_1, _product_26_1, _product_31_1, _product_32_1, _product_33_1, _product_34_1, _product_35_1, _product_36_1, _product_41_1, _product_42_1, _product_43_1, _product_44_1, _product_45_1, _product_46_1, _product_51_1, _product_52_1, _product_53_1, _product_54_1, _product_55_1, _product_56_1, _product_61_1, _product_62_1, _product_63_1, _product_64_1, _product_65_1, _product_66_1, _recent_e_1, _recent_s_1, _recent_t_1, _recent_u_1, _recent_v_1, _recent_w_1, _spin_bound_1, _tightening_1, _touches_1, _turn_n_1, _turn_z_1, _uncertain_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows1, _body_0, _clock_0, _clock_error_0, _continued_0, _count_0_0, _count_1_0, _count_2_0, _ends_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _origin_e_0, _origin_s_0, _origin_t_0, _origin_u_0, _origin_v_0, _origin_w_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0, _p_restitution_0, _p_ring_radius_0, _p_wire_radius_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _product_11_0, _product_12_0, _product_13_0, _product_14_0, _product_15_0, _product_16_0, _product_21_0, _product_22_0, _product_23_0, _product_24_0, _product_25_0, _product_26_0, _product_31_0, _product_32_0, _product_33_0, _product_34_0, _product_35_0, _product_36_0, _product_41_0, _product_42_0, _product_43_0, _product_44_0, _product_45_0, _product_46_0, _product_51_0, _product_52_0, _product_53_0, _product_54_0, _product_55_0, _product_56_0, _product_61_0, _product_62_0, _product_63_0, _product_64_0, _product_65_0, _product_66_0, _recent_e_0, _recent_s_0, _recent_t_0, _recent_u_0, _recent_v_0, _recent_w_0, _spin_bound_0, _tightening_0, _touches_0, _turn_n_0, _turn_z_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count2)
         _nx_1, _ny_1, _nz_1 = end_normal()
         _here_1, = here(0.0, _which_1)
@@ -4290,14 +4747,27 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _position_bound_2, _velocity_bound_2, _spin_bound_2, _belated_2 = carry_end(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _root_offset_2, _normal_velocity_2, _p_gravity_2, _room_2)
             _clock_error_2, = clock_error_sum(_belated_2, _clock_error_2)
             _clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1 = _put(_rows5, _count2, (_clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1,), (_clock_error_2, _position_bound_2, _spin_bound_2, _velocity_bound_2,), _ends_1)
-        _rows7, _count8 = _most(_touches_1, _count2)
+        _carries_1, _tightens_1 = tightens(_tightening_1, _touches_1)
+        _rows7, _count8 = _most(_carries_1, _count2)
         if _count8:
             _back_2, _bend_e_2, _bend_s_2, _clock_2, _clock_error_2, _left_bend_e_2, _left_bend_s_2, _left_ex_2, _left_ey_2, _left_nx_2, _left_ny_2, _left_nz_2, _normal_rounding_2, _normal_velocity_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_gravity_2, _p_restitution_2, _pace_e_2, _pace_n_2, _pace_s_2, _place_e_2, _place_n_2, _place_s_2, _position_bound_2, _root_level_2, _root_offset_2, _sharpest_bend_2, _spin_bound_2, _tangent_x_2, _tangent_y_2, _turn_n_2, _turn_z_2, _velocity_bound_2, _vx_2, _vy_2, _vz_2, _when_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows7, _back_1, _bend_e_1, _bend_s_1, _clock_1, _clock_error_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _normal_rounding_1, _normal_velocity_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_gravity_1, _p_restitution_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _root_level_1, _root_offset_1, _sharpest_bend_1, _spin_bound_1, _tangent_x_1, _tangent_y_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count8)
             _place_n_2, _place_s_2, _place_e_2, _pace_n_2, _pace_s_2, _pace_e_2, _turn_n_2, _turn_z_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _left_nx_2, _left_ny_2, _left_nz_2, _left_ex_2, _left_ey_2, _left_bend_s_2, _left_bend_e_2, _belated_2 = carry_impact(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _clock_2, _left_nx_2, _left_ny_2, _left_nz_2, _place_n_2, _place_s_2, _place_e_2, _pace_n_2, _pace_s_2, _pace_e_2, _turn_n_2, _turn_z_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _tangent_x_2, _tangent_y_2, _bend_s_2, _bend_e_2, _left_ex_2, _left_ey_2, _left_bend_s_2, _left_bend_e_2, _sharpest_bend_2, _root_offset_2, _root_level_2, _normal_rounding_2, _normal_velocity_2, _back_2, _p_ball_radius_2, _p_restitution_2, _p_gravity_2, _room_2)
             _clock_error_2, = clock_error_sum(_belated_2, _clock_error_2)
+            _clock_error_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _turn_n_1, _turn_z_1, _velocity_bound_1 = _put(_rows7, _count2, (_clock_error_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _turn_n_1, _turn_z_1, _velocity_bound_1,), (_clock_error_2, _left_bend_e_2, _left_bend_s_2, _left_ex_2, _left_ey_2, _left_nx_2, _left_ny_2, _left_nz_2, _pace_e_2, _pace_n_2, _pace_s_2, _place_e_2, _place_n_2, _place_s_2, _position_bound_2, _spin_bound_2, _turn_n_2, _turn_z_2, _velocity_bound_2,), _carries_1)
+        _rows9, _count10 = _most(_tightens_1, _count2)
+        if _count10:
+            _back_2, _bend_e_2, _bend_s_2, _clock_2, _clock_error_2, _continued_2, _left_bend_e_2, _left_bend_s_2, _left_ex_2, _left_ey_2, _left_nx_2, _left_ny_2, _left_nz_2, _normal_rounding_2, _normal_velocity_2, _nx_2, _ny_2, _nz_2, _origin_e_2, _origin_s_2, _origin_t_2, _origin_u_2, _origin_v_2, _origin_w_2, _p_ball_radius_2, _p_gravity_2, _p_restitution_2, _pace_e_2, _pace_n_2, _pace_s_2, _place_e_2, _place_n_2, _place_s_2, _position_bound_2, _product_11_2, _product_12_2, _product_13_2, _product_14_2, _product_15_2, _product_16_2, _product_21_2, _product_22_2, _product_23_2, _product_24_2, _product_25_2, _product_26_2, _product_31_2, _product_32_2, _product_33_2, _product_34_2, _product_35_2, _product_36_2, _product_41_2, _product_42_2, _product_43_2, _product_44_2, _product_45_2, _product_46_2, _product_51_2, _product_52_2, _product_53_2, _product_54_2, _product_55_2, _product_56_2, _product_61_2, _product_62_2, _product_63_2, _product_64_2, _product_65_2, _product_66_2, _recent_e_2, _recent_s_2, _recent_t_2, _recent_u_2, _recent_v_2, _recent_w_2, _root_level_2, _root_offset_2, _sharpest_bend_2, _spin_bound_2, _tangent_x_2, _tangent_y_2, _turn_n_2, _turn_z_2, _velocity_bound_2, _vx_2, _vy_2, _vz_2, _when_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows9, _back_1, _bend_e_1, _bend_s_1, _clock_1, _clock_error_1, _continued_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _normal_rounding_1, _normal_velocity_1, _nx_1, _ny_1, _nz_1, _origin_e_1, _origin_s_1, _origin_t_1, _origin_u_1, _origin_v_1, _origin_w_1, _p_ball_radius_1, _p_gravity_1, _p_restitution_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _product_11_1, _product_12_1, _product_13_1, _product_14_1, _product_15_1, _product_16_1, _product_21_1, _product_22_1, _product_23_1, _product_24_1, _product_25_1, _product_26_1, _product_31_1, _product_32_1, _product_33_1, _product_34_1, _product_35_1, _product_36_1, _product_41_1, _product_42_1, _product_43_1, _product_44_1, _product_45_1, _product_46_1, _product_51_1, _product_52_1, _product_53_1, _product_54_1, _product_55_1, _product_56_1, _product_61_1, _product_62_1, _product_63_1, _product_64_1, _product_65_1, _product_66_1, _recent_e_1, _recent_s_1, _recent_t_1, _recent_u_1, _recent_v_1, _recent_w_1, _root_level_1, _root_offset_1, _sharpest_bend_1, _spin_bound_1, _tangent_x_1, _tangent_y_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count10)
+            _place_n_2, _place_s_2, _place_e_2, _pace_n_2, _pace_s_2, _pace_e_2, _turn_n_2, _turn_z_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _left_nx_2, _left_ny_2, _left_nz_2, _left_ex_2, _left_ey_2, _left_bend_s_2, _left_bend_e_2, _belated_2, _origin_s_2, _origin_e_2, _origin_u_2, _origin_v_2, _origin_w_2, _origin_t_2, _recent_s_2, _recent_e_2, _recent_u_2, _recent_v_2, _recent_w_2, _recent_t_2, _product_11_2, _product_12_2, _product_13_2, _product_14_2, _product_15_2, _product_16_2, _product_21_2, _product_22_2, _product_23_2, _product_24_2, _product_25_2, _product_26_2, _product_31_2, _product_32_2, _product_33_2, _product_34_2, _product_35_2, _product_36_2, _product_41_2, _product_42_2, _product_43_2, _product_44_2, _product_45_2, _product_46_2, _product_51_2, _product_52_2, _product_53_2, _product_54_2, _product_55_2, _product_56_2, _product_61_2, _product_62_2, _product_63_2, _product_64_2, _product_65_2, _product_66_2, _continued_2 = tighten_impact(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _clock_2, _left_nx_2, _left_ny_2, _left_nz_2, _place_n_2, _place_s_2, _place_e_2, _pace_n_2, _pace_s_2, _pace_e_2, _turn_n_2, _turn_z_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _tangent_x_2, _tangent_y_2, _bend_s_2, _bend_e_2, _left_ex_2, _left_ey_2, _left_bend_s_2, _left_bend_e_2, _sharpest_bend_2, _root_offset_2, _root_level_2, _normal_rounding_2, _normal_velocity_2, _back_2, _origin_s_2, _origin_e_2, _origin_u_2, _origin_v_2, _origin_w_2, _origin_t_2, _product_11_2, _product_12_2, _product_13_2, _product_14_2, _product_15_2, _product_16_2, _product_21_2, _product_22_2, _product_23_2, _product_24_2, _product_25_2, _product_26_2, _product_31_2, _product_32_2, _product_33_2, _product_34_2, _product_35_2, _product_36_2, _product_41_2, _product_42_2, _product_43_2, _product_44_2, _product_45_2, _product_46_2, _product_51_2, _product_52_2, _product_53_2, _product_54_2, _product_55_2, _product_56_2, _product_61_2, _product_62_2, _product_63_2, _product_64_2, _product_65_2, _product_66_2, _recent_s_2, _recent_e_2, _recent_u_2, _recent_v_2, _recent_w_2, _recent_t_2, _continued_2, _p_ball_radius_2, _p_restitution_2, _p_gravity_2, _room_2)
+            _clock_error_2, = clock_error_sum(_belated_2, _clock_error_2)
+            _clock_error_1, _continued_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _origin_e_1, _origin_s_1, _origin_t_1, _origin_u_1, _origin_v_1, _origin_w_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _product_11_1, _product_12_1, _product_13_1, _product_14_1, _product_15_1, _product_16_1, _product_21_1, _product_22_1, _product_23_1, _product_24_1, _product_25_1, _product_26_1, _product_31_1, _product_32_1, _product_33_1, _product_34_1, _product_35_1, _product_36_1, _product_41_1, _product_42_1, _product_43_1, _product_44_1, _product_45_1, _product_46_1, _product_51_1, _product_52_1, _product_53_1, _product_54_1, _product_55_1, _product_56_1, _product_61_1, _product_62_1, _product_63_1, _product_64_1, _product_65_1, _product_66_1, _recent_e_1, _recent_s_1, _recent_t_1, _recent_u_1, _recent_v_1, _recent_w_1, _spin_bound_1, _turn_n_1, _turn_z_1, _velocity_bound_1 = _put(_rows9, _count2, (_clock_error_1, _continued_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _origin_e_1, _origin_s_1, _origin_t_1, _origin_u_1, _origin_v_1, _origin_w_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _product_11_1, _product_12_1, _product_13_1, _product_14_1, _product_15_1, _product_16_1, _product_21_1, _product_22_1, _product_23_1, _product_24_1, _product_25_1, _product_26_1, _product_31_1, _product_32_1, _product_33_1, _product_34_1, _product_35_1, _product_36_1, _product_41_1, _product_42_1, _product_43_1, _product_44_1, _product_45_1, _product_46_1, _product_51_1, _product_52_1, _product_53_1, _product_54_1, _product_55_1, _product_56_1, _product_61_1, _product_62_1, _product_63_1, _product_64_1, _product_65_1, _product_66_1, _recent_e_1, _recent_s_1, _recent_t_1, _recent_u_1, _recent_v_1, _recent_w_1, _spin_bound_1, _turn_n_1, _turn_z_1, _velocity_bound_1,), (_clock_error_2, _continued_2, _left_bend_e_2, _left_bend_s_2, _left_ex_2, _left_ey_2, _left_nx_2, _left_ny_2, _left_nz_2, _origin_e_2, _origin_s_2, _origin_t_2, _origin_u_2, _origin_v_2, _origin_w_2, _pace_e_2, _pace_n_2, _pace_s_2, _place_e_2, _place_n_2, _place_s_2, _position_bound_2, _product_11_2, _product_12_2, _product_13_2, _product_14_2, _product_15_2, _product_16_2, _product_21_2, _product_22_2, _product_23_2, _product_24_2, _product_25_2, _product_26_2, _product_31_2, _product_32_2, _product_33_2, _product_34_2, _product_35_2, _product_36_2, _product_41_2, _product_42_2, _product_43_2, _product_44_2, _product_45_2, _product_46_2, _product_51_2, _product_52_2, _product_53_2, _product_54_2, _product_55_2, _product_56_2, _product_61_2, _product_62_2, _product_63_2, _product_64_2, _product_65_2, _product_66_2, _recent_e_2, _recent_s_2, _recent_t_2, _recent_u_2, _recent_v_2, _recent_w_2, _spin_bound_2, _turn_n_2, _turn_z_2, _velocity_bound_2,), _tightens_1)
+        _rows11, _count12 = _most(_touches_1, _count2)
+        if _count12:
+            _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = _taken(_rows11, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_restitution_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1)
+            _room_2 = room(_count12)
             _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2, _room_2)
-            _clock_error_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1 = _put(_rows7, _count2, (_clock_error_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _turn_n_1, _turn_z_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,), (_clock_error_2, _left_bend_e_2, _left_bend_s_2, _left_ex_2, _left_ey_2, _left_nx_2, _left_ny_2, _left_nz_2, _pace_e_2, _pace_n_2, _pace_s_2, _place_e_2, _place_n_2, _place_s_2, _position_bound_2, _spin_bound_2, _turn_n_2, _turn_z_2, _velocity_bound_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2,), _touches_1)
+            _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1 = _put(_rows11, _count2, (_vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,), (_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2,), _touches_1)
         _here_1, = here(1.0, _which_1)
         _x_2, _y_2, _z_2 = backboard_place(_y_1, _z_1, _p_ball_radius_1, _p_board_distance_1)
         _x_1, _y_1, _z_1 = _choose(_here_1, (_x_2, _y_2, _z_2,), (_x_1, _y_1, _z_1,))
@@ -4308,22 +4778,29 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _uncertain_2, = without_bounds(_unbounded_2, _uncertain_1)
         _first_2, _last_2 = touched(_which_1, _body_1, _first_1)
         _first_1, _last_1, _uncertain_1 = _choose(_touches_1, (_first_2, _last_2, _uncertain_2,), (_first_1, _last_1, _uncertain_1,))
-        _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _spin_bound_0, _turn_n_0, _turn_z_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows1, shots, (_clock_error_0, _count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _spin_bound_0, _turn_n_0, _turn_z_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_clock_error_1, _count_0_1, _count_1_1, _count_2_1, _first_1, _last_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _spin_bound_1, _turn_n_1, _turn_z_1, _uncertain_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
-    _rows9, _count10 = _rows(_limited_0, shots)
-    if _count10:
-        _claims_1, _clock_1, _clock_error_1, _p_gravity_1, _position_bound_1, _spin_bound_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows9, _claims_0, _clock_0, _clock_error_0, _p_gravity_0, _position_bound_0, _spin_bound_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
-        _ends_by_time_limit_1, = ends_by_time_limit(4.0, _which_1, _claims_1)
-        _rows11, _count12 = _most(_ends_by_time_limit_1, _count10)
-        if _count12:
-            _clock_2, _clock_error_2, _p_gravity_2, _position_bound_2, _spin_bound_2, _velocity_bound_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows11, _clock_1, _clock_error_1, _p_gravity_1, _position_bound_1, _spin_bound_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count12)
-            _position_bound_2, _velocity_bound_2, _spin_bound_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _p_gravity_2, _room_2)
-            _clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1 = _put(_rows11, _count10, (_clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1,), (_clock_error_2, _position_bound_2, _spin_bound_2, _velocity_bound_2,), _ends_by_time_limit_1)
-        _clock_error_0, _position_bound_0, _spin_bound_0, _velocity_bound_0 = _put(_rows9, shots, (_clock_error_0, _position_bound_0, _spin_bound_0, _velocity_bound_0,), (_clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1,))
-    _closed_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_outcome_0, _claims_0)
-    _rows13, _count14 = _most(_closed_0, shots)
+        _clock_error_0, _continued_0, _count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _origin_e_0, _origin_s_0, _origin_t_0, _origin_u_0, _origin_v_0, _origin_w_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _product_11_0, _product_12_0, _product_13_0, _product_14_0, _product_15_0, _product_16_0, _product_21_0, _product_22_0, _product_23_0, _product_24_0, _product_25_0, _product_26_0, _product_31_0, _product_32_0, _product_33_0, _product_34_0, _product_35_0, _product_36_0, _product_41_0, _product_42_0, _product_43_0, _product_44_0, _product_45_0, _product_46_0, _product_51_0, _product_52_0, _product_53_0, _product_54_0, _product_55_0, _product_56_0, _product_61_0, _product_62_0, _product_63_0, _product_64_0, _product_65_0, _product_66_0, _recent_e_0, _recent_s_0, _recent_t_0, _recent_u_0, _recent_v_0, _recent_w_0, _spin_bound_0, _turn_n_0, _turn_z_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows1, shots, (_clock_error_0, _continued_0, _count_0_0, _count_1_0, _count_2_0, _first_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _left_nx_0, _left_ny_0, _left_nz_0, _origin_e_0, _origin_s_0, _origin_t_0, _origin_u_0, _origin_v_0, _origin_w_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _product_11_0, _product_12_0, _product_13_0, _product_14_0, _product_15_0, _product_16_0, _product_21_0, _product_22_0, _product_23_0, _product_24_0, _product_25_0, _product_26_0, _product_31_0, _product_32_0, _product_33_0, _product_34_0, _product_35_0, _product_36_0, _product_41_0, _product_42_0, _product_43_0, _product_44_0, _product_45_0, _product_46_0, _product_51_0, _product_52_0, _product_53_0, _product_54_0, _product_55_0, _product_56_0, _product_61_0, _product_62_0, _product_63_0, _product_64_0, _product_65_0, _product_66_0, _recent_e_0, _recent_s_0, _recent_t_0, _recent_u_0, _recent_v_0, _recent_w_0, _spin_bound_0, _turn_n_0, _turn_z_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_clock_error_1, _continued_1, _count_0_1, _count_1_1, _count_2_1, _first_1, _last_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _left_nx_1, _left_ny_1, _left_nz_1, _origin_e_1, _origin_s_1, _origin_t_1, _origin_u_1, _origin_v_1, _origin_w_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _product_11_1, _product_12_1, _product_13_1, _product_14_1, _product_15_1, _product_16_1, _product_21_1, _product_22_1, _product_23_1, _product_24_1, _product_25_1, _product_26_1, _product_31_1, _product_32_1, _product_33_1, _product_34_1, _product_35_1, _product_36_1, _product_41_1, _product_42_1, _product_43_1, _product_44_1, _product_45_1, _product_46_1, _product_51_1, _product_52_1, _product_53_1, _product_54_1, _product_55_1, _product_56_1, _product_61_1, _product_62_1, _product_63_1, _product_64_1, _product_65_1, _product_66_1, _recent_e_1, _recent_s_1, _recent_t_1, _recent_u_1, _recent_v_1, _recent_w_1, _spin_bound_1, _turn_n_1, _turn_z_1, _uncertain_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
+    _rows13, _count14 = _rows(_limited_0, shots)
     if _count14:
-        _clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1 = _taken(_rows13, _clock_error_0, _position_bound_0, _spin_bound_0, _velocity_bound_0)
+        _claims_1, _clock_1, _clock_error_1, _p_gravity_1, _position_bound_1, _spin_bound_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows13, _claims_0, _clock_0, _clock_error_0, _p_gravity_0, _position_bound_0, _spin_bound_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+        _ends_by_time_limit_1, = ends_by_time_limit(4.0, _which_1, _claims_1)
+        _rows15, _count16 = _most(_ends_by_time_limit_1, _count14)
+        if _count16:
+            _clock_2, _clock_error_2, _p_gravity_2, _position_bound_2, _spin_bound_2, _velocity_bound_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows15, _clock_1, _clock_error_1, _p_gravity_1, _position_bound_1, _spin_bound_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count16)
+            _position_bound_2, _velocity_bound_2, _spin_bound_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _p_gravity_2, _room_2)
+            _clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1 = _put(_rows15, _count14, (_clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1,), (_clock_error_2, _position_bound_2, _spin_bound_2, _velocity_bound_2,), _ends_by_time_limit_1)
+        _clock_error_0, _position_bound_0, _spin_bound_0, _velocity_bound_0 = _put(_rows13, shots, (_clock_error_0, _position_bound_0, _spin_bound_0, _velocity_bound_0,), (_clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1,))
+    _closed_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_outcome_0, _claims_0)
+    _rows17, _count18 = _most(_closed_0, shots)
+    if _count18:
+        _clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1 = _taken(_rows17, _clock_error_0, _position_bound_0, _spin_bound_0, _velocity_bound_0)
         _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_1, _position_bound_1, _velocity_bound_1, _spin_bound_1)
-        _position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0 = _put(_rows13, shots, (_position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0,), (_position_claim_1, _spin_claim_1, _time_claim_1, _velocity_claim_1,), _closed_0)
-    columns |= {"clock_error": _clock_error_0, "count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "first": _first_0, "last": _last_0, "left_bend_e": _left_bend_e_0, "left_bend_s": _left_bend_s_0, "left_ex": _left_ex_0, "left_ey": _left_ey_0, "left_nx": _left_nx_0, "left_ny": _left_ny_0, "left_nz": _left_nz_0, "pace_e": _pace_e_0, "pace_n": _pace_n_0, "pace_s": _pace_s_0, "place_e": _place_e_0, "place_n": _place_n_0, "place_s": _place_s_0, "position_bound": _position_bound_0, "position_claim": _position_claim_0, "spin_bound": _spin_bound_0, "spin_claim": _spin_claim_0, "time_claim": _time_claim_0, "turn_n": _turn_n_0, "turn_z": _turn_z_0, "uncertain": _uncertain_0, "velocity_bound": _velocity_bound_0, "velocity_claim": _velocity_claim_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }
+        _position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0 = _put(_rows17, shots, (_position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0,), (_position_claim_1, _spin_claim_1, _time_claim_1, _velocity_claim_1,), _closed_0)
+    columns |= {"clock_error": _clock_error_0, "continued": _continued_0, "count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "first": _first_0, "last": _last_0, "left_bend_e": _left_bend_e_0, "left_bend_s": _left_bend_s_0, "left_ex": _left_ex_0, "left_ey": _left_ey_0, "left_nx": _left_nx_0, "left_ny": _left_ny_0, "left_nz": _left_nz_0, "origin_e": _origin_e_0, "origin_s": _origin_s_0, "origin_t": _origin_t_0, "origin_u": _origin_u_0, "origin_v": _origin_v_0, "origin_w": _origin_w_0, "pace_e": _pace_e_0, "pace_n": _pace_n_0, "pace_s": _pace_s_0, "place_e": _place_e_0, "place_n": _place_n_0, "place_s": _place_s_0, "position_bound": _position_bound_0, "position_claim": _position_claim_0, "product_11": _product_11_0, "product_12": _product_12_0, "product_13": _product_13_0, "product_14": _product_14_0, "product_15": _product_15_0, "product_16": _product_16_0, "product_21": _product_21_0, "product_22": _product_22_0, "product_23": _product_23_0, "product_24": _product_24_0, "product_25": _product_25_0, "product_26": _product_26_0, "product_31": _product_31_0, "product_32": _product_32_0, "product_33": _product_33_0, "product_34": _product_34_0, "product_35": _product_35_0, "product_36": _product_36_0, "product_41": _product_41_0, "product_42": _product_42_0, "product_43": _product_43_0, "product_44": _product_44_0, "product_45": _product_45_0, "product_46": _product_46_0, "product_51": _product_51_0, "product_52": _product_52_0, "product_53": _product_53_0, "product_54": _product_54_0, "product_55": _product_55_0, "product_56": _product_56_0, "product_61": _product_61_0, "product_62": _product_62_0, "product_63": _product_63_0, "product_64": _product_64_0, "product_65": _product_65_0, "product_66": _product_66_0, "recent_e": _recent_e_0, "recent_s": _recent_s_0, "recent_t": _recent_t_0, "recent_u": _recent_u_0, "recent_v": _recent_v_0, "recent_w": _recent_w_0, "spin_bound": _spin_bound_0, "spin_claim": _spin_claim_0, "time_claim": _time_claim_0, "turn_n": _turn_n_0, "turn_z": _turn_z_0, "uncertain": _uncertain_0, "velocity_bound": _velocity_bound_0, "velocity_claim": _velocity_claim_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }
+
+
+def review_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage review of the event loop, with bounds on errors."""
+    _contacts_0, _outcome_0, _uncertain_0, = map(columns.__getitem__, ("contacts", "outcome", "uncertain",))
+    _loose_0, = loose(_contacts_0, _outcome_0, _uncertain_0)
+    columns |= {"loose": _loose_0, }

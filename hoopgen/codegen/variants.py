@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from hoopgen.derive.ir.event_tree import Node, live_before, needed
+from hoopgen.derive.ir.event_tree import Node, live_before, needed, writes
 from hoopgen.derive.ir.kernel import Kind
-from hoopgen.derive.loop.loop import Loop
+from hoopgen.derive.loop.loop import REVIEW, Loop
 from hoopgen.derive.state.fields import Field
 
 Stage = tuple[tuple[Node, ...], set[str]]
@@ -42,6 +42,11 @@ class Variant:
         return self.loop.fields
 
     @property
+    def tightening(self) -> tuple[str, ...]:
+        """The names of the fields of shots whose errors are tightened."""
+        return tuple(field.name for field in self.fields if field.is_tightening)
+
+    @property
     def kinds(self) -> dict[str, Kind]:
         """The kind of each field."""
         return self.loop.kinds
@@ -66,9 +71,10 @@ def _kept(stages: Mapping[str, Stage], names: Sequence[str]) -> tuple[str, ...]:
 
 def _stages(loop: Loop, names: Sequence[str]) -> dict[str, Stage]:
     """Return each stage's nodes, and the variables that are needed after it."""
-    wanted = {*names, "body"}
     found: dict[str, Stage] = {}
+    wanted = {*names, "body"}
     for stage, nodes in reversed(list(loop.stages.items())):
+        wanted |= set(writes(nodes)) if stage == REVIEW else set()
         kept = needed(nodes, wanted)
         found[stage] = (kept, set(wanted))
         wanted = set(names) | live_before(kept, wanted)

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from hoopgen.core.lock import read_file
 from hoopgen.core.private_folders import private_folder
 
-from . import numpy_backend, result_arrays
+from . import numpy_backend, numpy_flights, result_arrays
 
 WIDTHS = (1, 4, 8, 16)
 """Vector widths that the source can be built for; the processor has some of them."""
@@ -329,6 +329,7 @@ def _key(library: Path, engine: CompiledEngine, kernels: ModuleType, shots: Sequ
             library,
             kernels.__file__,
             numpy_backend.__file__,
+            numpy_flights.__file__,
             result_arrays.__file__,
             __file__,
         ):

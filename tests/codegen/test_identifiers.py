@@ -222,7 +222,7 @@ def test_no_name_of_ours_is_one_of_a_parameter_a_printer_a_driver_or_a_language(
     declared = set(re.findall(found, columns + driver, re.MULTILINE))
     declared |= named_by_the_lowering()
     declared |= {r.switch for model in models() for r in model.results if r.switch}
-    shared = {"most_contacts", "time_limit", "claims"}
+    shared = {"most_contacts", "time_limit", "claims", "tightening"}
     assert {"rows", "packed", "active", "row", "done", "fresh", "shots", *shared} <= declared
     for model in models():
         ours: set[str] = set()

@@ -102,6 +102,7 @@ def hoop_runs() -> Iterator[Run]:
     usual = np.concatenate([family.make(400)[0] for family in FAMILIES if family.workload])
     yield Run(usual, PAPER)
     yield Run(usual[::5], PAPER, time_limit=1.0)
+    yield Run(usual, {**PAPER, "restitution": np.full(len(usual), PAPER["restitution"])})
     yield Run(garbage(200), PAPER)
     for states in alike(hard(4)):
         yield Run(states, PAPER)

@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 from hoopgen.derive.errors import contact_frames as frames
+from hoopgen.derive.errors import tighter_bounds as tighter
 from hoopgen.derive.loop import predicates as following
 from hoopgen.derive.scenes import HOOP
 
@@ -49,12 +50,12 @@ at_end, at_time = (
 
 def in_rest(old: str, new: str) -> Patch:
     """Replace text of the terms beside |T| B."""
-    return in_text(frames._Rest, "__init__", old, new)
+    return in_text(frames.Rest, "__init__", old, new)
 
 
 def in_matrix(old: str, new: str) -> Patch:
     """Replace text of T."""
-    return in_text(frames, "contact_errors", old, new)
+    return in_text(frames, "growth", old, new)
 
 
 def without_column(column: str) -> Patch:
@@ -64,6 +65,20 @@ def without_column(column: str) -> Patch:
 
 CONDITION = "barrier(12 * slowed - nearing)"
 LENGTHS = "barrier(MOST_LENGTHS * barrier(longer + LEFT_BENDS[0] * BOUNDS[0]) - 1)"
+
+through_one, through_many, through_none = (
+    check(lemma.test_errors_since_an_earlier_contact_stay_within_the_tighter_bounds, (bounds,))
+    for bounds in ("one", "many", "none")
+)
+since_release = check(
+    lemma.test_errors_since_the_release_are_within_the_tighter_bounds, *((k,) for k in (1, 2, 3))
+)
+
+
+def in_product(old: str, new: str) -> Patch:
+    """Replace text of the bounds through a product of matrices."""
+    return in_text(tighter, "tighter_errors", old, new)
+
 
 FAULTS = (
     Planted(
@@ -219,7 +234,9 @@ FAULTS = (
     Planted("a slow contact is proved", in_rest(CONDITION, "sp.Integer(-1)"), unproved),
     Planted(
         "the sum of an event's time is not rounded",
-        in_matrix("delay + 4 * UNIT_ROUNDOFF * barrier(clock + t)", "delay"),
+        in_text(
+            frames.Growth, "errors_after", "delay + 4 * UNIT_ROUNDOFF * barrier(clock + t)", "delay"
+        ),
         of_roundings,
     ),
     Planted(
@@ -229,8 +246,15 @@ FAULTS = (
     ),
     Planted(
         "a frame that is turned leaves velocities alone",
-        in_text(frames, "norms_after", "velocity_after * turned + y_n", "y_n"),
+        in_text(
+            frames, "norms_after", "absolute(along) * q_s + absolute(around) * q_e + one", "one"
+        ),
         of_one,
+    ),
+    Planted(
+        "a vector is as long as its largest component",
+        lambda patch: patch.setattr(frames, "DIAGONAL", 0),
+        of_many,
     ),
     Planted(
         "a ball is at an end when it is computed to be",
@@ -250,6 +274,59 @@ FAULTS = (
         "at the time limit no contact was late",
         in_text(frames, "errors_at_time", "clock_error + 4", "0 * clock_error + 4"),
         at_time,
+    ),
+    Planted(
+        "what has come since an earlier contact does not last",
+        in_product("barrier(c + PRODUCT_ROUNDING * b)", "barrier(PRODUCT_ROUNDING * b)"),
+        through_one,
+    ),
+    Planted(
+        "products of matrices have no roundings",
+        in_product("barrier(c + PRODUCT_ROUNDING * b)", "c"),
+        through_one,
+    ),
+    Planted(
+        "an offset from the surface does not come to the errors since",
+        in_product("(BOUNDS[0], *rounded", "(0, *rounded"),
+        through_many,
+    ),
+    Planted(
+        "y_z does not come to the errors since",
+        in_product("*rounded, BOUNDS[-1], BOUNDS[-1])", "*rounded, 0, 0)"),
+        through_many,
+    ),
+    Planted(
+        "a contact adds half of its errors",
+        in_product("barrier(value + extra)", "barrier(value + extra / 2)"),
+        through_none,
+    ),
+    Planted(
+        "the product is taken in the other order",
+        in_product("made[k][i] * before[k][j]", "made[j][k] * before[i][k]"),
+        through_one,
+    ),
+    Planted(
+        "errors at an earlier contact do not count",
+        in_product("[m + c for m, c in zip(main, recent, strict=True)]", "list(recent)"),
+        through_one,
+    ),
+    Planted(
+        "errors since an earlier contact do not count",
+        in_product("[m + c for m, c in zip(main, recent, strict=True)]", "list(main)"),
+        through_one,
+    ),
+    Planted(
+        "where all begins anew there were no errors",
+        in_product("IfLess(0, continued, o, bound)", "o"),
+        since_release,
+    ),
+    Planted(
+        "where all begins anew the product goes on",
+        in_product(
+            "IfLess(0, continued, PRODUCT[SIZE * k + j], sp.Integer(k == j))",
+            "PRODUCT[SIZE * k + j]",
+        ),
+        since_release,
     ),
 )
 

@@ -467,7 +467,7 @@ FAULTS = (
     # Bounds on errors.
     Fault(
         "bounds are a thousandth",
-        in_text(contact_frames, "norms_after", "ROUNDING_SLACK * barrier(value)", "value / 2**10"),
+        in_text(contact_frames, "norms_after", "ROUNDING_SLACK * value", "value / 2**10"),
     ),
     Fault(
         "errors do not grow",

@@ -13,7 +13,7 @@ from scipy.integrate import solve_ivp
 import hoopgen
 from hoopgen import Event
 from hoopgen.codegen.render import render_scene
-from hoopgen.engine import numpy_backend
+from hoopgen.engine import numpy_flights
 from hoopgen.scene import End, Parameter, Plane, Scene, SceneError, Sphere, Torus
 from hoopgen.scene.trial_shots import SHOTS, trial_shots
 from hoopgen.simulation.engine import Engine
@@ -72,15 +72,15 @@ def test_trial_shots_that_roll_for_ever_take_few_turns(
     """A scene of them, such as this one without restitution, compiles in seconds."""
     _, *said = bowl.kernels.PARAMETERS["restitution"]
     monkeypatch.setitem(bowl.kernels.PARAMETERS, "restitution", (0.0, *said))
-    advance, turns = numpy_backend.Flights.advance, 0
+    advance, turns = numpy_flights.Flights.advance, 0
 
-    def counted(self: numpy_backend.Flights, *given: Any) -> None:
+    def counted(self: numpy_flights.Flights, *given: Any) -> None:
         nonlocal turns
         turns += 1
         assert turns < 500, "a trial shot rolls on and on"
         advance(self, *given)
 
-    monkeypatch.setattr(numpy_backend.Flights, "advance", counted)
+    monkeypatch.setattr(numpy_flights.Flights, "advance", counted)
     assert trial_shots(bowl.kernels).shape == (SHOTS, 9)
 
 

@@ -9,7 +9,7 @@ pack its shots; what repeats within it has its worklist.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence, Set
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from hoopgen.derive.ir import event_tree as ir
@@ -34,6 +34,7 @@ from ..statements import (
     Table,
 )
 from .hierarchy import GroupContext
+from .inner_columns import columns_within
 from .masked_loop import Around, Statements
 from .spelling import TYPES, any_lane, at, both, load, numbered_column, offset, store
 from .transfers import MIN_COPIED
@@ -68,20 +69,6 @@ def _within(
     if not start <= inserted.index <= end:
         return None
     return replace(inserted, index=inserted.index - start)
-
-
-def _written_within(
-    node: ir.If, nodes: Iterable[Node], columns: Set[str], shared: Set[str]
-) -> dict[str, bool]:
-    """Return the columns that one guarded body alone writes of those nodes, which are stored there.
-
-    The value is True if nothing else reads the column and it is not `shared`: then it is loaded
-    there, too.
-    """
-    others = [other for other in nodes if other is not node]
-    own = columns & set(writes(node.body)) - set(writes(others))
-    elsewhere = reads(others) | shared | {node.truth}
-    return {name: name not in elsewhere for name in sorted(own)}
 
 
 def without_rows(nodes: Sequence[Node]) -> tuple[Node, ...]:
@@ -312,7 +299,8 @@ class CompactedLoop(TurnLoop):
         wanted |= shared - set(written)
         outer = frame.outer & set(written)
         need = live_before(without_rows(nodes), wanted) | outer
-        self._set_inner(nodes if cut is None else (), set(stored) & set(frame.known), shared)
+        own_columns = set(stored) & set(frame.known)
+        self.inner = columns_within(nodes if cut is None else (), own_columns, shared, self.cheap)
         inside = {name for names in self.inner.values() for name in names}
         need -= {name for names in self.inner.values() for name, loaded in names.items() if loaded}
         own = GroupContext(f"{frame.prefix}{cut.truth}_" if cut else "", {})
@@ -356,11 +344,6 @@ class CompactedLoop(TurnLoop):
         found.append(frame.over(begin))
         found += [self._fill(own, takes), *self._copy(frame, own, copied)] if cut else []
         return own
-
-    def _set_inner(self, nodes: Sequence[Node], columns: set[str], shared: set[str]) -> None:
-        """Note which columns the guarded bodies of a pass store, and which they load."""
-        guards = [node for node in nodes if isinstance(node, ir.If) and not self.cheap(node)]
-        self.inner = {id(node): _written_within(node, nodes, columns, shared) for node in guards}
 
     def beside_body(self, node: ir.If, known: dict[str, Kind]) -> tuple[Statements, Statements]:
         """Load and store what the body alone writes.

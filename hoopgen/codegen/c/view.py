@@ -8,9 +8,9 @@ from functools import cached_property
 from typing import Any
 
 from hoopgen.derive.ir import event_tree as ir
-from hoopgen.derive.ir.event_tree import Node, needed, writes
+from hoopgen.derive.ir.event_tree import Node, live_before, needed, writes
 from hoopgen.derive.ir.kernel import Kind
-from hoopgen.derive.loop.loop import Loop
+from hoopgen.derive.loop.loop import REVIEW, Loop
 from hoopgen.derive.symbolic.conditionals import Boolean
 from hoopgen.derive.symbolic.symbols import STATE
 
@@ -119,7 +119,7 @@ class CVariant:
     parts
         `validate`, and `permitted`, where it is asked; `fixed` and `once` for a job; of
         shots that touch nothing `launch`, and `launching` before it; `start`, and `follow`, what
-        comes after that.
+        comes after that; `review` of those that have ended.
     columns
         The columns that those need beside the fields, and what each holds.
     parameter_lists
@@ -201,6 +201,7 @@ def loop_view(
     permit = MaskedLoop(**common, by_columns=by_columns).body(
         permitting, sizes, set(), "", {"permitted"}
     )
+    reviewer = MaskedLoop(**common)
     launcher = LaunchLoop(**common, hoisted=hoisted)
     common |= {
         "hoisted": hoisted,
@@ -222,6 +223,15 @@ def loop_view(
     beside: dict[str, Kind] = {"body": "double", **admitting.columns, **following.columns}
     written = [r for r in lowered.model.results if variant.bounds or not r.is_diagnostic]
     results = {name for r in written if not r.is_counted for name in r.columns}
+    review: Statements = []
+    if loop.tightens:
+        nodes, after = stages[REVIEW]
+        read = sorted(live_before(nodes, ()))
+        review = [
+            Declare(n, "V", load("double", at(column_of("", n), "i")), constant=True) for n in read
+        ]
+        known: dict[str, Kind] = dict.fromkeys(read, "double")
+        review += reviewer.body(nodes, known, set(), "", after)
     launching, launch = launcher.launch(loop, stages, results)
     fixed = hoisted.all
     given = [
@@ -237,6 +247,7 @@ def loop_view(
         "launch": launch,
         "start": admit,
         "follow": follow,
+        "review": review,
     }
     return CVariant(
         variant,

@@ -109,7 +109,7 @@ class CudaBackend:
         loop, (plain, bounded) = lowered.model.loop, lowered.variants
         lowering = ShotLoop(loop.parameters, parameter_kernels(loop), loop.plain_values)
         lines = {
-            name: CUDA_FORMATTER.lines(lowering.body(nodes, plain.stages[name][0]))
+            name: CUDA_FORMATTER.lines(lowering.body(nodes, plain.stages.get(name, ((), set()))[0]))
             for name, (nodes, _) in bounded.stages.items()
         }
         nodes = [node for own, _ in bounded.stages.values() for node in own]

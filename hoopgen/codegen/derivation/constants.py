@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from hoopgen.derive.errors import contact_frames, propagation, second_order
+from hoopgen.derive.errors import contact_frames, propagation, second_order, tighter_bounds
 from hoopgen.derive.events import air as air_search
 from hoopgen.derive.events import (
     air_near,
@@ -46,6 +46,8 @@ def constants() -> dict[str, str]:
         "claim": propagation.REPORTED_FACTOR,
         "lift": propagation.MIN_GROWTH_DIVISOR,
         "frame_rounding": contact_frames.T_ROUNDING,
+        "product_rounding": tighter_bounds.PRODUCT_ROUNDING,
+        "renewal": tighter_bounds.RENEWAL,
         "law_roundings": contact_frames.LAW_ROUNDINGS,
         "stretch": second_order.STRETCH,
         "least": propagation.ERROR_FLOOR,

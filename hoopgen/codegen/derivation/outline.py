@@ -13,6 +13,7 @@ STAGES = {
     "start": "once for a release",
     "detect": "to the next event; with `resolve`, until the shot has an outcome",
     "resolve": "what the event does to the ball",
+    "review": "once for a shot that has ended",
 }
 """Time at which each stage is executed."""
 

@@ -231,6 +231,12 @@ PREMISES: dict[str, Premise] = {
         ),
         proved=True,
     ),
+    "products": Premise(
+        LEMMA,
+        "bounds through the product of several contacts",
+        _kernels("law.tighten common.tightens common.loose"),
+        proved=True,
+    ),
     "piece_errors": Premise(
         CHOICE, "propagation of errors through a piece", _kernels("common.carry_piece")
     ),

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 from hoopgen.derive.errors.contact_frames import BOUNDS, CARRIED, NORMS
+from hoopgen.derive.errors.tighter_bounds import ORIGIN, PRODUCT, RECENT, SIZE, TIGHTENING
 from hoopgen.derive.symbolic.error_terms import left_normal
 from hoopgen.derive.symbolic.rounding import ROUNDING_SLACK
 from hoopgen.derive.symbolic.symbols import UNIT_ROUNDOFF
@@ -25,7 +26,7 @@ from numpy.typing import NDArray
 import hoopgen
 from benchmarks.workloads import WORKLOADS
 from hoopgen import PAPER, Outcome
-from hoopgen.engine.numpy_backend import Room
+from hoopgen.engine.numpy_flights import Room
 from tests.helpers import exact_contacts as exact
 from tests.helpers.effort import trials
 from tests.helpers.exact_contacts import BOARD, BRIDGE, END, EXACT, RING, Exact, Floats
@@ -36,6 +37,7 @@ U, SLACK = float(UNIT_ROUNDOFF), float(ROUNDING_SLACK)
 ROWS = 2000
 STATE = ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz")
 NAMES = tuple(symbol.name for symbol in BOUNDS)
+SIX = slice(1, 1 + SIZE)
 NONE = -1
 SIZES = {hoop.VARIABLES[name]: float(value) for name, value in PAPER.items()}
 R_H, R_B, G = PAPER["ring_radius"], PAPER["ball_radius"], PAPER["gravity"]
@@ -165,7 +167,11 @@ def ways(random: np.random.Generator, rows: int, ends: tuple[int, ...]) -> tuple
 
 
 def departures(
-    seed: int, bounds: str, ends: tuple[int, ...] = (RING, BOARD, BRIDGE), count: int = ROWS
+    seed: int,
+    bounds: str,
+    ends: tuple[int, ...] = (RING, BOARD, BRIDGE),
+    count: int = ROWS,
+    through: bool = False,
 ) -> Departures:
     """Return random flights with errors at their limits.
 
@@ -180,6 +186,8 @@ def departures(
         The surfaces to which the balls come.
     count
         How many flights there are at effort 1.
+    through
+        True for errors M o + c with errors o at their limits at an earlier contact.
     """
     random, rows = np.random.default_rng(seed), trials(count, at_least=max(600, count // 4))
     last, which, begin, to, t = ways(random, rows, ends)
@@ -209,6 +217,11 @@ def departures(
     amounts[:, released] = 0
     amounts = upwards(amounts).astype(float)
     signs = random.choice([-1.0, 1.0], (9, rows))
+    errors = (signs * amounts[[*range(len(NAMES)), -1]]).astype(object)
+    before: Columns = {s.name: np.zeros(rows, np.float32) for s in TIGHTENING}
+    if through:
+        before, errors[SIX] = through_products(random, bounds, amounts[SIX], signs[SIX])
+        amounts[SIX] = upwards(sum_of_products(before))
     turning = random.normal(0, 20, (3, rows)) * random.choice([1.0, 0.01], rows)
     normal, back = normals_of(last, begin), last == which
     across = turning - normal * np.sum(turning * normal, axis=0)
@@ -217,7 +230,7 @@ def departures(
     touched = np.where(released, RING, last)
     begin = begin - signs[0] * amounts[0] * normal
     with flint.ctx.workprec(exact.BITS):
-        q = EXACT(signs * amounts[[*range(len(NAMES)), -1]])
+        q = MIXED(errors)
         # The exact ball is on the surface to which it returns, and the computed one may be off it.
         for _ in range(3):
             x, v, w = (EXACT(part) for part in (begin, velocity, turning))
@@ -235,7 +248,7 @@ def departures(
         amounts[0] = upwards(np.abs(np.array(q[0], float)) * (1 + 2.0**-50))
         norms = [upwards(exact.size(error) * (1 + 2.0**-40)) for error in errors]
         true = (x + errors[0], v + errors[1], w + errors[2])
-    start: Columns = dict(zip(STATE, (*begin, *velocity, *turning), strict=True)) | SIZES
+    start: Columns = dict(zip(STATE, (*begin, *velocity, *turning), strict=True)) | SIZES | before
     start["clock"] = random.choice([0.0, 1.0], rows) * random.uniform(0, 10, rows)
     earlier = random.choice([0.0, 1.0], rows) * 10 ** random.uniform(-15, -9, rows)
     start["clock_error"] = upwards(earlier)
@@ -246,6 +259,55 @@ def departures(
     start |= dict(zip(NAMES, amounts, strict=True))
     start |= {s.name: value for s, value in zip(NORMS, norms, strict=True)}
     return Departures(last, which, start, t, true, clock, back)
+
+
+MIXED = np.vectorize(
+    lambda number: number if isinstance(number, flint.arb) else flint.arb(float(number)),
+    otypes=[object],
+)
+
+
+def through_products(
+    random: np.random.Generator, bounds: str, amounts: Floats, signs: Floats
+) -> tuple[Columns, Exact]:
+    """Return random O, M and C, and errors M o + c, all at their limits.
+
+    Parameters
+    ----------
+    random
+        The generator.
+    bounds
+        As for `departures`.
+    amounts, signs
+        Sizes and signs of o or c, (6, n); with "one" either has all of them.
+    """
+    rows = amounts.shape[1]
+    earlier = random.random(rows) < 0.5 if bounds == "one" else np.ones(rows, bool)
+    later = ~earlier if bounds == "one" else np.ones(rows, bool)
+    sizes = 10 ** random.uniform(-2, 1, rows)
+    product = np.asarray(random.normal(size=(SIZE, SIZE, rows)) * sizes, np.float32)
+    origin = upwards(np.roll(amounts, 1, axis=1) * earlier)
+    recent = upwards(amounts * later * 10 ** random.uniform(-3, 0, rows))
+    with flint.ctx.workprec(exact.BITS):
+        true = EXACT(np.roll(signs, 1, axis=1) * origin)
+        found = EXACT(signs * recent)
+        found = found + sum(EXACT(product[:, k]) * true[k] for k in range(SIZE))
+    values = (*origin, *product.reshape(-1, rows), *recent, np.any(origin > 0, axis=0) * 1.0)
+    columns = {s.name: np.asarray(v, np.float32) for s, v in zip(TIGHTENING, values, strict=True)}
+    # Without O there is no product yet.
+    none = columns["continued"] == 0
+    columns["continued"][none & later] = 1
+    return columns | {f"true_{s.name}": own for s, own in zip(ORIGIN, true, strict=True)}, found
+
+
+def sum_of_products(columns: Columns) -> Floats:
+    """Return |M| O + C, (6, n)."""
+    origin, recent = (
+        np.array([columns[s.name] for s in of], np.float64) for of in (ORIGIN, RECENT)
+    )
+    product = np.array([columns[s.name] for s in PRODUCT], np.float64)
+    product = np.abs(product.reshape(SIZE, SIZE, -1))
+    return (np.einsum("ijn,jn->in", product, origin) + recent) * (1 + 2.0**-40)
 
 
 def left_frames(last: NDArray[np.int_], state: Columns) -> Columns:
@@ -277,6 +339,8 @@ class Contacts:
         The bounds after the contact, and the sum of delays.
     sizes
         The sizes of the errors, by the names of their bounds.
+    coordinates
+        The errors in the coordinates q_s to y_w, (6, n).
     exact, clock
         The exact states after the contacts, and their exact times.
     """
@@ -284,6 +348,7 @@ class Contacts:
     own: Departures
     bounds: Columns
     sizes: dict[str, Floats]
+    coordinates: Exact
     exact: tuple[Exact, Exact, Exact]
     clock: Exact
 
@@ -407,16 +472,26 @@ def after(own: Departures, at: Columns) -> Columns:
     return state
 
 
-def carried(own: Departures, at: Columns, t: Floats) -> Columns:
+def carried(own: Departures, at: Columns, t: Floats, kernel: str = "carry_impact") -> Columns:
     """Return the bounds after contacts, with the sum of delays."""
     with np.errstate(invalid="ignore"):
-        bounds = called(kernels, "carry_impact", arguments(kernels, own, at, t, at))
+        bounds = called(kernels, kernel, arguments(kernels, own, at, t, at))
     return bounds | called(kernels, "clock_error_sum", own.start | bounds)
 
 
-def met(own: Departures, at: Columns, t: Floats) -> Contacts:
-    """Return contacts of computed balls, and those of exact balls at their own times."""
-    bounds = carried(own, at, t)
+def met(own: Departures, at: Columns, t: Floats, kernel: str = "carry_impact") -> Contacts:
+    """Return contacts of computed balls, and those of exact balls at their own times.
+
+    Parameters
+    ----------
+    own
+        The flights.
+    at, t
+        The states before the contacts, and the times of the flights.
+    kernel
+        The kernel that carries the bounds.
+    """
+    bounds = carried(own, at, t, kernel)
     rows = np.flatnonzero(np.isfinite(bounds["place_n"]))
     own, at, t, bounds = own.of(rows), taken(at, rows), t[rows], taken(bounds, rows)
     state = after(own, at)
@@ -429,15 +504,15 @@ def met(own: Departures, at: Columns, t: Floats) -> Contacts:
         place, pace, spins = EXACT([state[k] for k in STATE]).reshape(3, 3, -1)
         errors = there - place, moving - pace, turning - spins
         frame = exact.Frame.at(own.which, place)
-        *found, last, other = np.abs(
-            np.array(exact.coordinates_of(frame, *errors, pace, spins), float)
-        )
+        coordinates = exact.coordinates_of(frame, *errors, pace, spins)
+        *found, last, other = np.abs(np.array(coordinates, float))
         late = EXACT(own.start["clock"]) + time - EXACT(clock)
         total = own.clock + time - EXACT(clock)
         sizes = dict(zip(NAMES, (*found, np.maximum(last, other)), strict=True))
         sizes |= {s.name: exact.size(one) for s, one in zip(NORMS, errors, strict=True)}
         sizes |= {"delay": abs(np.array(late, float)), "clock_error": abs(np.array(total, float))}
-        return Contacts(own, bounds, sizes, (there, moving, turning), own.clock + time)
+        true = there, moving, turning
+        return Contacts(own, bounds, sizes, coordinates[SIX], true, own.clock + time)
 
 
 def check(contacts: Contacts) -> dict[str, float]:
@@ -461,6 +536,31 @@ def test_errors_at_their_limits_stay_within_the_bounds(bounds: str) -> None:
     }
     least |= {"velocity_bound": 0.3, "spin_bound": 0.1} if bounds == "none" else {}
     assert all(largest[name] > least[name] for name in largest), largest
+
+
+def recent_shares(contacts: Contacts) -> Floats:
+    """Return what has come to the errors since an earlier contact, over its bound, (6, n)."""
+    start, bounds = contacts.own.start, contacts.bounds
+    with flint.ctx.workprec(exact.BITS):
+        true = np.array([start[f"true_{s.name}"] for s in ORIGIN], object)
+        product = EXACT([bounds[s.name] for s in PRODUCT]).reshape(SIZE, SIZE, -1)
+        come = contacts.coordinates - sum(product[:, k] * true[k] for k in range(SIZE))
+        come = np.abs(np.array(come, float))
+    return np.asarray(come / [bounds[s.name] for s in RECENT])
+
+
+@pytest.mark.parametrize("bounds", ["none", "one", "many"])
+def test_errors_since_an_earlier_contact_stay_within_the_tighter_bounds(bounds: str) -> None:
+    """So do what of them is the product of derivatives times the errors there, and the rest."""
+    own = departures(11, bounds, through=True)
+    own = own.of(np.flatnonzero(own.last != NONE))
+    contacts = met(own, *at_limits(own, 12), "tighten_impact")
+    assert len(contacts.own.t) > 0.3 * len(own.t)
+    largest, recent = check(contacts), recent_shares(contacts).max(axis=1)
+    assert np.all(recent <= 1), recent
+    least = 0.8 if bounds == "none" else 0.99
+    assert np.all(recent > least), recent
+    assert all(largest[name] > least for name in NAMES[SIX]), largest
 
 
 def test_the_level_of_a_start_may_be_far_off_the_surface() -> None:
@@ -633,7 +733,7 @@ def released(states: Floats) -> Columns:
     """Return the numbers of shots at their releases, without errors."""
     rows = len(states)
     columns: Columns = dict(zip(STATE, states.T.copy(), strict=True)) | SIZES
-    columns |= {symbol.name: np.zeros(rows, np.float32) for symbol in CARRIED}
+    columns |= {symbol.name: np.zeros(rows, np.float32) for symbol in (*CARRIED, *TIGHTENING)}
     columns |= {"clock_error": np.zeros(rows, np.float32), "clock": np.zeros(rows)}
     return columns | {"last": np.full(rows, -1.0)}
 
@@ -642,6 +742,7 @@ def detected(columns: Columns) -> Columns:
     """Return the engine's next events: states before them, times, and surfaces."""
     rows = len(columns["x"])
     given = {"contacts": np.zeros(rows), "uncertain": np.zeros(rows), "time_limit": np.inf}
+    given["tightening"] = 0.0
     found = columns | given | {"most_contacts": 40.0}
     with np.errstate(all="ignore"):
         hoop.detect_bounded(found, rows, Room(hoop, rows))
@@ -696,7 +797,7 @@ def test_the_engine_knows_which_returns_count_from_the_level_of_their_starts() -
     check(met_by_engine(departures(3, "one"), as_given=True))
 
 
-def followed(states: Floats, most: int) -> list[Contacts]:
+def followed(states: Floats, most: int, kernel: str = "carry_impact") -> list[Contacts]:
     """Return the contacts of shots, each with all errors since the release.
 
     Parameters
@@ -705,6 +806,8 @@ def followed(states: Floats, most: int) -> list[Contacts]:
         The releases.
     most
         How many contacts there are at most.
+    kernel
+        The kernel that carries the bounds.
     """
     columns, contacts = released(states), []
     with flint.ctx.workprec(exact.BITS):
@@ -720,7 +823,7 @@ def followed(states: Floats, most: int) -> list[Contacts]:
         true = x[:, rows], v[:, rows], w[:, rows]
         own = Departures(last, which, start, found["when"], true, clock[rows], last == which)
         at = arguments(hoop, own, found, own.t)
-        contacts.append(met(own, at, own.t))
+        contacts.append(met(own, at, own.t, kernel))
         assert len(contacts[-1].own.t) == len(rows)
         (x, v, w), clock = contacts[-1].exact, contacts[-1].clock
         columns = start | after(own, at) | contacts[-1].bounds
@@ -735,3 +838,18 @@ def test_errors_since_the_release_are_within_the_bounds(workload: int) -> None:
     assert len(contacts) > 6
     largest = [max(check(one).values()) for one in contacts]
     assert max(largest) > 0.1
+
+
+@pytest.mark.parametrize("workload", [1, 2, 3])
+def test_errors_since_the_release_are_within_the_tighter_bounds(workload: int) -> None:
+    """After some contacts they are less than the bounds that every shot has."""
+    states = WORKLOADS[workload].make(trials(300, at_least=50))
+    usual, tighter = (followed(states, 12, kernel) for kernel in ("carry_impact", "tighten_impact"))
+    largest = [max(check(one).values()) for one in tighter]
+    assert max(largest) > 0.1
+    ratios = [
+        np.median(np.asarray(one.bounds["position_bound"] / other.bounds["position_bound"]))
+        for one, other in zip(tighter, usual, strict=True)
+    ]
+    assert all(ratio < 1 + 2.0**-8 for ratio in ratios), ratios
+    assert min(ratios) < (0.85 if workload == 3 else 0.5), ratios

@@ -19,7 +19,7 @@ from hoopgen.generated.numpy import hoop
 from numpy.typing import NDArray
 
 from hoopgen import COURT, HOOP, PAPER, Outcome, certify
-from hoopgen.engine.numpy_backend import Room
+from hoopgen.engine.numpy_flights import Room
 from hoopgen.simulation.engine import Engine
 from tests.helpers.effort import exceptions, occurrences, trials
 
