@@ -21,7 +21,7 @@ coordinates of both frames, with absolute values of its elements, and B' is the 
 - the roundings of the flight, r of the place and u (|v| + g t) of the velocity, of the root, which
   is off the surface by at most A_F (`root_offset` of the surface), of the normal and the impact;
 - what the derivative leaves out (`second_order`);
-- 2^-19 of the sizes of all products in T, for the roundings of T in single precision.
+- 2^-17 of the sizes of all products in T, for the roundings of T in single precision.
 
 *Proof.* The flight is linear in the state. At the computed time of the contact the exact ball is
 therefore off the computed one by the linear image of the errors at the start, and by the roundings
@@ -57,7 +57,7 @@ once. At an end they are infinite alone: no decision follows.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -130,11 +130,12 @@ that the roundings of T contain it."""
 LAW_ROUNDINGS = 14
 """The roundings of an impact, of the sum of the sizes of velocity and of the radius times spin."""
 
-T_ROUNDING = sp.Rational(1, 2**19)
-"""Roundings of T in single precision, of the sizes of all products in it: 2^5 units of 2^-24. An
-element of its first rows has at most 24 in a chain, with those of its factors, which are components
-of unit vectors, velocities and times; the sizes count those of later rows twice. The rows of a
-rotation are unit vectors, so that their products with bounds are at most the norms of these."""
+T_ROUNDING = sp.Rational(1, 2**17)
+"""Roundings of T in single precision, of the sizes of all products in it: 2^7 units of 2^-24. The
+longest chain of roundings that leads to an element of the rows of q has 50, with those of its
+factors: axes 6, their products 3, the motion at the start 12, the turn 3, a product of both 2, the
+flight 3, the delay 3 and the shift along the surface 12, which has axes of its own. Rows of y have
+12 more, and count twice. Sums over three bounds are at most sqrt(3) times the norm of these."""
 
 DIAGONAL = sp.Rational(27, 64)
 """At least sqrt(2) - 1: what the diagonal of a square has more than its side."""
@@ -222,9 +223,18 @@ def _held(quantity: sp.Expr) -> sp.Expr:
     return quantity if quantity.is_Number else barrier(quantity)
 
 
-def _rotated(matrix: sp.Matrix, vector: Vector) -> Vector:
-    n, s, e = (_held(sp.Matrix(vector).dot(matrix.row(k))) for k in range(3))
+def _vector(components: Iterable[sp.Expr]) -> Vector:
+    n, s, e = components
     return n, s, e
+
+
+def _times(factor: sp.Expr, vector: Vector) -> Vector:
+    return _vector(_held(factor * one) for one in vector)
+
+
+def _cross(a: Sequence[sp.Expr], b: Sequence[sp.Expr]) -> Vector:
+    """Return a × b along n, s and e, which are right-handed."""
+    return _vector(_held(a[k - 2] * b[k - 1] - a[k - 1] * b[k - 2]) for k in range(3))
 
 
 def sized(factors: Sequence[sp.Expr], bounds: Sequence[sp.Expr]) -> sp.Expr:
@@ -384,62 +394,56 @@ def growth(flight: Parabola, ball: Ball, restitution: sp.Expr) -> Growth:
     left = Frame.of(left_normal, LEFT_TANGENT, LEFT_BENDS)
     here = Frame.of(normal, TANGENT, BENDS)
     stays, share, radius = ball.moving_share, ball.friction_share, ball.radius
-    pull = [-sp.Integer(1) * a for a in flight.acceleration]
-    began = sp.Matrix([barrier(v + a * t) for v, a in zip(velocity, pull, strict=True)])
     moving, turning = here.of_motion()
-    began_moving, began_turning = left.of_vector(began), left.of_vector(spin)
-    between = sp.Matrix(3, 3, lambda i, j: barrier(here.axes.row(i).dot(left.axes.row(j))))
     fall = here.of_vector(flight.acceleration)
-    zero, one = sp.Integer(0), sp.Integer(1)
-    still: Vector = (zero, zero, zero)
-    velocity_turns, spin_turns = left.turned(began_moving), left.turned(began_turning)
+    began = [_held(v - t * a) for v, a in zip(moving, fall, strict=True)]
+    # n, s and e of the departure, and the vertical, in the frame of the contact.
+    out, across, along = (
+        _vector(barrier(here.axes.row(i).dot(left.axes.row(j))) for i in range(3)) for j in range(3)
+    )
+    up = _vector(here.axes[i, 2] for i in range(3))
+    about_e, about_z = _times(left.bends[0], along), _times(left.bends[1], up)
     per_radius = barrier(1 / radius)
+    still: Vector = (sp.Integer(0), sp.Integer(0), sp.Integer(0))
+    # Place, velocity and spin of each coordinate's unit at the departure.
     columns: list[tuple[Vector, Vector, Vector]] = [
-        ((one, zero, zero), still, still),
-        ((zero, one, zero), velocity_turns[0], spin_turns[0]),
-        ((zero, zero, one), velocity_turns[1], spin_turns[1]),
-        (still, (one, zero, zero), still),
-        (still, (zero, one, zero), (zero, zero, per_radius)),
-        (still, (zero, zero, one), (zero, -per_radius, zero)),
-        (still, still, (one, zero, zero)),
-        (still, still, (zero, one, zero)),
-        (still, still, (zero, zero, one)),
+        (out, still, still),
+        (across, _cross(about_e, began), _cross(about_e, turning)),
+        (along, _cross(about_z, began), _cross(about_z, turning)),
+        (still, out, still),
+        (still, across, _times(per_radius, along)),
+        (still, along, _times(-per_radius, across)),
+        (still, still, out),
+        (still, still, across),
+        (still, still, along),
     ]
     per_approach, gives = barrier(1 / normal_velocity), barrier(share * radius)
-    turned_velocity, turned_spin = here.turned(moving), here.turned(turning)
+
+    def law(pace: Vector, turn: Vector) -> list[sp.Expr]:
+        """Return y_n, y_s, y_e and y_w after the impact from velocity and spin before it."""
+        return [
+            _held(-restitution * pace[0]),
+            _held(stays * pace[1] + gives * turn[2]),
+            _held(stays * pace[2] - gives * turn[1]),
+            turn[0],
+        ]
+
+    falls = law(fall, still)
+    aside, around = (
+        law(*turned) for turned in zip(here.turned(moving), here.turned(turning), strict=True)
+    )
     gaps: list[sp.Expr] = []
     found: list[tuple[sp.Expr, ...]] = []
     for index, (place, pace, turn) in enumerate(columns):
-        one_n, one_s, one_e = (_held(p + t * v) for p, v in zip(place, pace, strict=True))
-        n, s, e = _rotated(between, (one_n, one_s, one_e))
+        n, s, e = (_held(p + t * v) for p, v in zip(place, pace, strict=True))
         if index == 0:  # on a return the level is that of the start
             n = barrier(n - back)
         delay = _held(-n * per_approach)
         q_s, q_e = _held(s + moving[1] * delay), _held(e + moving[2] * delay)
         gaps.append(n)
-        v, w = (
-            [
-                _held(one + during - q_s * along - q_e * around)
-                for one, during, along, around in zip(_rotated(between, own), *beside, strict=True)
-            ]
-            for own, *beside in (
-                (pace, [a * delay for a in fall], *turned_velocity),
-                (turn, [zero] * 3, *turned_spin),
-            )
-        )
-        found.append(
-            (
-                *(q_s, q_e, _held(-restitution * v[0])),
-                _held(stays * v[1] + gives * w[2]),
-                _held(stays * v[2] - gives * w[1]),
-                w[0],
-            )
-        )
-    leaving = (
-        barrier(-restitution * moving[0]),
-        barrier(stays * moving[1] + gives * turning[2]),
-        barrier(stays * moving[2] - gives * turning[1]),
-    )
+        rows = zip(law(pace, turn), falls, aside, around, strict=True)
+        found.append((q_s, q_e, *(_held(y + delay * f - q_s * a - q_e * b) for y, f, a, b in rows)))
+    leaving = _vector(law(moving, turning)[:3])
     rolling = (turning[0], barrier(-leaving[2] * per_radius), barrier(leaving[1] * per_radius))
     return Growth(here, found, sized(gaps, EACH), (leaving, rolling))
 
@@ -510,9 +514,10 @@ class Rest:
         off = barrier(p + e * t + barrier(sum(places)) + maximum(root_offset, root_level))
         sped = barrier(e + speeds)
         bent = barrier(remainder.BEND * barrier(sharpest_bend * off) * off)
-        # The velocity at the start is rounded as a sum with the fall, which may be the larger part.
+        # In the turned motion at the start products may cancel.
         left_turn = barrier(LEFT_BENDS[0] * BOUNDS[1] + LEFT_BENDS[1] * BOUNDS[2])
-        summed = barrier(flight.strength * t * left_turn)
+        summed = barrier(barrier(size + flight.strength * t) * left_turn)
+        spun = barrier(w + spinning * left_turn)
         blur = barrier(T_ROUNDING * barrier(off + summed * t))
         apart = barrier(gap + root_offset + bent + blur)
         self.late = barrier(remainder.STRETCH * apart / nearing)
@@ -533,7 +538,7 @@ class Rest:
         products = barrier(
             2 * barrier(change + summed)
             + barrier(4 * size + ball.radius * spinning) * turn
-            + ball.radius * w
+            + ball.radius * spun
         )
         curved = barrier(
             self.speed_after * turned
@@ -549,7 +554,7 @@ class Rest:
             + barrier(stays * per_radius * change + 2 * w) * turn
             + barrier(spinning + w) * turn**2
             + barrier(flight.strength * belated + T_ROUNDING * products) * per_radius
-            + T_ROUNDING * barrier(spinning * turn + w)
+            + T_ROUNDING * barrier(spinning * turn + spun)
         )
         # Roundings: of flight and root, of the normal, of its length off the surface, of the law.
         normals, *along = (

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hoopgen.derive.errors.contact_frames import BOUNDS, CARRIED, NORMS
+from hoopgen.derive.errors.contact_frames import BOUNDS, CARRIED, NORMS, T_ROUNDING
 from hoopgen.derive.errors.tighter_bounds import ORIGIN, PRODUCT, RECENT, SIZE, TIGHTENING
 from hoopgen.derive.symbolic.error_terms import left_normal
 from hoopgen.derive.symbolic.rounding import ROUNDING_SLACK
@@ -611,14 +611,15 @@ def test_a_rotation_about_the_axis_stays_a_rotation_through_contacts_with_the_ri
     share = {name: np.asarray(grown[name] - rest[name], float) / 1e-3 / SLACK for name in NAMES}
     angle = share["place_e"] * grown["left_bend_e"] / own.start["left_bend_e"]
     # T's roundings count in both.
-    assert np.abs(angle - 1).max() < 1e-3
-    assert np.median(np.abs(angle - 1)) < 1e-5
-    assert np.median(share["place_s"]) < 1e-5
-    assert np.all(share["place_s"] < 1e-2)
+    unit = float(T_ROUNDING)
+    assert np.abs(angle - 1).max() < 600 * unit
+    assert np.median(np.abs(angle - 1)) < 6 * unit
+    assert np.median(share["place_s"]) < 6 * unit
+    assert np.all(share["place_s"] < 6000 * unit)
     spinning = np.sqrt(sum(at[k] ** 2 for k in STATE[6:]))
     for name, scale in (("pace", speed + R_B * spinning), ("turn", speed / R_B + spinning)):
         for one in (each for each in NAMES if each.startswith(name)):
-            assert np.median(share[one] / scale * R) < 1e-4, one
+            assert np.median(share[one] / scale * R) < 60 * unit, one
 
 
 # ----------------------------------------------------------------------------------- ends of shots
