@@ -1,5 +1,6 @@
 """Timing: rounds in which everybody takes a turn, and what a single call costs."""
 
+import os
 import statistics
 import subprocess
 import sys
@@ -131,11 +132,16 @@ print(numpy_there - start, hoopgen_there - numpy_there, perf_counter() - hoopgen
 
 
 def first_call(count: int) -> dict[str, Spread]:
-    """Return the time of a new process, part by part and together, over `count` processes (s)."""
+    """Return the time of a new process, part by part and together, over `count` processes (s).
+
+    Python keeps compiled modules, as it does after an installation.
+    """
     parts: dict[str, list[float]] = {}
+    kept = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
     for _ in range(count):
         command = [sys.executable, "-c", _FIRST_CALL]
-        output = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+        done = subprocess.run(command, check=True, capture_output=True, text=True, env=kept)
+        output = done.stdout
         importing_numpy, importing, flying = map(float, output.split())
         together = importing_numpy + importing + flying
         for name, value in (

@@ -15,6 +15,7 @@ from hoopgen.derive.scenes.hoop import HOOP
 import hoopgen
 from benchmarks.families import FAMILIES
 from hoopgen import Outcome
+from tests.helpers.effort import trials
 from tests.helpers.engines import Simulate
 from tests.helpers.hoop_shots import Batch
 
@@ -125,6 +126,31 @@ def test_a_contact_within_rounding_of_the_limit_is_uncertain_and_settled() -> No
         assert settled.time[0] == limit
     for share in (1 - 1e-8, 1 + 1e-8):
         assert not hoopgen.simulate(SWIRL, time_limit=contact * share).uncertain[0]
+
+
+@pytest.mark.slow
+def test_limits_about_contacts_end_no_shot_otherwise_than_the_exact_one_unflagged() -> None:
+    """Nor are errors at the limit larger than their bounds."""
+    random, limits = np.random.default_rng(17), trials(60, at_least=12)
+    families = {family.key: family.make(8)[0] for family in FAMILIES}
+    states = np.concatenate([families[key] for key in ("W2", "W3", "W4", "around", "rim")])
+    log = hoopgen.simulate(states, record=True, max_contacts=12).events
+    times = random.choice(log["time"], limits)
+    shifts = random.choice([-1, 1], limits) * 10 ** random.uniform(-16.5, -8, limits)
+    near = flagged = 0
+    for limit in times + shifts:
+        shots = hoopgen.simulate(states, fields=EVERY, time_limit=limit)
+        proofs = hoopgen.certify(states, time_limit=limit, processes=1)
+        sure = ~shots.uncertain & proofs.decided
+        for name in ("outcome", "counts", "first"):
+            assert np.array_equal(getattr(shots, name)[sure], getattr(proofs, name)[sure]), name
+        endless = sure & (shots.outcome == Outcome.ENDLESS)
+        apart = np.abs(shots.state - proofs.state) - proofs.state_radius
+        assert np.all((apart.reshape(-1, 3, 3).max(axis=2) <= shots.state_error)[endless])
+        near += np.count_nonzero(endless)
+        flagged += np.count_nonzero(shots.uncertain & (shots.outcome != Outcome.CAPPED))
+    assert near > 10 * limits
+    assert flagged > limits / 20
 
 
 @pytest.mark.parametrize("value", [0, -1.0, float("nan"), True, "1 s", [1.0], np.timedelta64(1)])
