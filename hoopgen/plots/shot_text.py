@@ -42,6 +42,8 @@ class FlightPath(Protocol):
     """The part of `Trajectory` that pictures need."""
 
     @property
+    def release(self) -> NDArray[np.float64]: ...
+    @property
     def events(self) -> NDArray[Any]: ...
     @property
     def duration(self) -> float: ...
@@ -86,7 +88,7 @@ def describe_shot(trajectory: FlightPath, parameters: Mapping[str, float]) -> tu
     parameters
         The scene's parameters.
     """
-    x, y, z, vx, vy, vz, *spin = (float(value) for value in trajectory.at(np.zeros(1))[0])
+    x, y, z, vx, vy, vz, *spin = (float(value) for value in trajectory.release)
     speed = np.hypot(np.hypot(vx, vy), vz)
     angle = np.degrees(np.arctan2(vz, np.hypot(vx, vy)))
     unit, spins, length = display_unit("speed"), display_unit("spin"), display_unit("length")

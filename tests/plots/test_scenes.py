@@ -34,6 +34,7 @@ from hoopgen.plots.occlusion import is_hidden
 from hoopgen.plots.outlines import flat_chains
 from hoopgen.plots.panels import Drawing, Room, draw_view
 from hoopgen.plots.scenery import scenery_of
+from hoopgen.plots.shot_text import describe_shot
 from hoopgen.plots.trajectory import _draw
 from hoopgen.plots.views import SIDE, TOP, Panel, oblique
 from hoopgen.scene import (
@@ -722,3 +723,13 @@ def test_a_hoops_study_refuses_another_scene_in_a_line(name: str, netball: Engin
 def test_a_hoops_measures_refuse_another_scenes_shots(netball: Engine) -> None:
     with pytest.raises(ValueError, match=r"^measure: its question is a hoop's"):
         hoopgen.measure(SHOT, netball.simulate(SHOT))
+
+
+def test_a_ball_that_meets_a_body_at_once_is_described_as_it_was_released() -> None:
+    shots = hoopgen.simulate([4.191, 0, -0.6, -4.4, 0, 5.31, 0, 18.85, 0], record=True)
+    flight = shots.trajectory(0)
+    first = flight.events[:1].copy()
+    first["time"], first["after"] = 0.0, flight.release / 2
+    met = replace(flight, events=np.concatenate([first, flight.events]))
+    assert met.at(0.0)[3] == flight.release[3] / 2
+    assert describe_shot(met, hoopgen.PAPER) == describe_shot(flight, hoopgen.PAPER)
