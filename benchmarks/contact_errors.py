@@ -1,6 +1,5 @@
 """Errors at every contact, held against the bounds that the decisions of the next flight use."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -8,6 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import hoopgen
+from hoopgen import HOOP
+from hoopgen.engine import numpy_backend
 from hoopgen.judge import Certificate
 
 KINDS = ("position", "velocity", "spin")
@@ -49,6 +50,7 @@ class ContactErrors:
             The largest share of each shot, (n,).
         """
         largest = np.zeros(len(flown))
+        tightened = _once(flown, np.arange(len(flown)), max_contacts, False)["uncertain"]
         log = flown.events
         impacts = log["kind"] == hoopgen.Event.IMPACT
         log = log[impacts & ~flown.uncertain[log["shot"]]]
@@ -57,7 +59,7 @@ class ContactErrors:
         number = np.arange(len(log)) - first + 1
         for count in range(1, min(int(number.max(initial=0)), max_contacts) + 1):
             rows = np.flatnonzero(number == count)
-            bounds = _bounds_after(flown, count, log[rows])
+            bounds = _bounds_after(flown, count, log[rows], tightened)
             off = errors["after_error"][rows]
             known = np.isfinite(off).all(axis=1)
             with np.errstate(divide="ignore", invalid="ignore"):
@@ -69,23 +71,41 @@ class ContactErrors:
         return largest
 
 
-def _bounds_after(flown: hoopgen.Shots, count: int, rows: NDArray[np.void]) -> NDArray[np.float64]:
+def _bounds_after(
+    flown: hoopgen.Shots, count: int, rows: NDArray[np.void], tightened: NDArray[np.bool_]
+) -> NDArray[np.float64]:
     """Return the bounds on errors of the state after so many contacts, (rows, 3).
 
     A shot that is capped there ends with the state and the errors with which the next flight
-    begins.
+    begins. The decisions of a shot that is certain with tighter bounds alone rest on these.
     """
     shots = rows["shot"]
-    parameters: Mapping[str, Any] = {
+    parameters = {
         name: np.broadcast_to(value, len(flown))[shots] for name, value in flown.parameters.items()
     }
-    capped = hoopgen.simulate(
-        flown.releases[shots],
-        parameters,
-        max_contacts=count,
-        fields=("outcome", "state", "state_error"),
-    )
+    fields = ("outcome", "state", "state_error")
+    capped = hoopgen.simulate(flown.releases[shots], parameters, max_contacts=count, fields=fields)
     if not (capped.state == rows["after"]).all():
         raise AssertionError("a shot that is capped at a contact has not the state after it")
-    bounds: NDArray[np.float64] = capped.state_error
+    bounds: NDArray[np.float64] = capped.state_error.copy()
+    own = np.flatnonzero(tightened[shots])
+    tighter = _once(flown, shots[own], count, True)
+    if not np.array_equal(tighter["state"], rows["after"][own]):
+        raise AssertionError("a shot with tighter bounds has not the state after a contact")
+    bounds[own] = tighter["state_error"]
     return bounds
+
+
+def _once(
+    flown: hoopgen.Shots, shots: NDArray[np.int64], most: int, tightening: bool
+) -> dict[str, NDArray[Any]]:
+    """Return results of some of the shots, simulated once, with tighter bounds or without."""
+    kernels = HOOP.kernels
+    parameters = [
+        np.broadcast_to(flown.parameters[name], len(flown))[shots] for name in kernels.PARAMETERS
+    ]
+    out = HOOP.layout.allocate(len(shots), ("state", "state_error", "uncertain"))
+    numpy_backend.run(
+        kernels, flown.releases[shots], parameters, None, most, out, tightening=tightening
+    )
+    return out.arrays

@@ -262,7 +262,8 @@ def as_markdown(tallies: Sequence[Tally], before: str = "") -> str:
         "",
         *_numbers(tallies),
         "The next table compares the states after all contacts with the bounds that decisions "
-        "about the next flight use; a shot that is capped at this contact reports the same bounds. "
+        "about the next flight use: for a shot that was flagged before it was simulated again, "
+        "with the tighter ones. "
         "Not proved are contacts after which a shot goes on otherwise than in the proof, or of "
         "which 4,096 bits prove nothing.",
         "",

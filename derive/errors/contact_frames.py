@@ -132,10 +132,10 @@ LAW_ROUNDINGS = 14
 
 T_ROUNDING = sp.Rational(1, 2**17)
 """Roundings of T in single precision, of the sizes of all products in it: 2^7 units of 2^-24. The
-longest chain of roundings that leads to an element of the rows of q has 50, with those of its
-factors: axes 6, their products 3, the motion at the start 12, the turn 3, a product of both 2, the
-flight 3, the delay 3 and the shift along the surface 12, which has axes of its own. Rows of y have
-12 more, and count twice. Sums over three bounds are at most sqrt(3) times the norm of these."""
+longest chain of roundings that leads to an element of the rows of q has 54, with those of its
+factors, and a sum over three bounds is at most sqrt(3) times the norm of these. In the rows of y
+those of q are passed on with q, as its own errors; besides they have 45 at most, and their sizes
+count twice."""
 
 DIAGONAL = sp.Rational(27, 64)
 """At least sqrt(2) - 1: what the diagonal of a square has more than its side."""
@@ -257,8 +257,7 @@ def _norm(vector: Sequence[sp.Expr]) -> sp.Expr:
     Where one component is the largest, the norm is convex in the others and the bound linear; it
     holds at the corners, where each is zero or as large.
     """
-    most = barrier(maximum(*vector))
-    return barrier(most + DIAGONAL * barrier(sum(vector) - most))
+    return barrier((1 - DIAGONAL) * maximum(*vector) + DIAGONAL * barrier(sum(vector)))
 
 
 def norms_after(

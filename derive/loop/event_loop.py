@@ -1,13 +1,13 @@
 """The event loop (Table 1): the stages of a shot from its release to its end.
 
-There are four stages. `validate` validates the parameters and `start` a release, once each. Then
-`detect` detects the next event and moves the ball there, and `resolve` resolves the event, again
-and again until the shot has an outcome. Between the stages a target does its own work: it fills its
-lanes, writes the log, and stores results.
+There are four stages, and a fifth where bounds on errors are proved. `validate` validates the
+parameters and `start` a release, once each. Then `detect` detects the next event and moves the ball
+there, and `resolve` resolves the event, again and again until the shot has an outcome. Between the
+stages a target does its own work: it fills its lanes, writes the log, and stores results.
 
-Where bounds on errors are proved there is a fifth, `review`: it finds the shots that have ended
-uncertain, and that may be certain with bounds that cost more. A target simulates these again with
-`tightening` 1, and takes the results that need bounds from this second pass. The path is the same.
+The fifth is `review`: it finds the shots that have ended uncertain, and that may be certain with
+bounds that cost more. A target simulates these again with `tightening` 1, and takes the results
+that need bounds from this second pass. The path is the same.
 """
 
 from __future__ import annotations

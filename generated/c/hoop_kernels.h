@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation c5d48a0cdee90d5d,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation a07e4e9dc91760e5,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -1015,7 +1015,7 @@ LANES(hoop_plane_start)(V undecided_time, V position_error, V velocity_error, V 
 }
 
 /* The same, through the product of derivatives since an earlier contact.
-   derivative of the frame-free Eq. 17, with roundings. 1508 operations: 468 additions, 71 subtractions, 705 multiplications, 6 divisions, 40 negations, 128 absolute values, 16 comparisons, 74 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 1508 operations: 468 additions, 68 subtractions, 708 multiplications, 6 divisions, 40 negations, 128 absolute values, 16 comparisons, 74 selections. */
 typedef struct {
     S place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay, origin_s, origin_e, origin_u, origin_v, origin_w, origin_t, recent_s, recent_e, recent_u, recent_v, recent_w, recent_t, product_11, product_12, product_13, product_14, product_15, product_16, product_21, product_22, product_23, product_24, product_25, product_26, product_31, product_32, product_33, product_34, product_35, product_36, product_41, product_42, product_43, product_44, product_45, product_46, product_51, product_52, product_53, product_54, product_55, product_56, product_61, product_62, product_63, product_64, product_65, product_66, continued;
 } LANES(hoop_tighten_impact_out);
@@ -1327,38 +1327,35 @@ LANES(hoop_tighten_impact)(S t, S x, S y, S z, S vx, S vy, S vz, S wx, S wy, S w
     const S _s301 = singles_max(_s289, _s267);
     const S _s302 = singles_mul(KS(1.0009765625), singles_add(singles_add(_s299, singles_add(singles_mul(_c8, singles_max(_s300, _s268)), singles_max(_s301, _s237))), _s292));
     const S _s303 = singles_max(_s61, _s139);
-    const S _s304 = singles_max(_s303, _s162);
-    const S _s305 = singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_sub(singles_add(singles_add(_s162, _s139), _s61), _s304)), _s304));
-    const S _s306 = singles_mul(_c4, _s139);
-    const S _s307 = singles_add(singles_mul(_c6, _s250), singles_mul(KS(0.6), _s19));
-    const S _s308 = singles_neg(singles_mul(_c1, normal_velocity));
-    const S _s309 = singles_add(_s306, singles_mul(singles_abs(singles_mul(bend_e, singles_sub(singles_mul(nz, _s307), singles_mul(_s308, _s18)))), _s162));
-    const S _s310 = singles_mul(KS(7.62939453125e-06), singles_add(singles_mul(bend_s, _s139), singles_mul(bend_e, _s162)));
-    const S _s311 = singles_mul(_s188, _s310);
-    const S _s312 = singles_add(singles_add(_s309, _s311), _s273);
-    const S _s313 = singles_sub(singles_mul(KS(0.6), _s15), singles_mul(_c6, _s206));
-    const S _s314 = singles_add(singles_add(singles_mul(singles_abs(singles_mul(bend_s, _s308)), _s139), singles_mul(singles_abs(singles_neg(singles_mul(_s210, _s313))), _s162)), _s311);
-    const S _s315 = singles_add(_s314, _s245);
-    const S _s316 = singles_add(singles_add(singles_mul(singles_abs(singles_neg(singles_mul(bend_s, _s307))), _s139), singles_mul(singles_abs(singles_mul(_s166, _s313)), _s162)), _s311);
-    const S _s317 = singles_add(_s316, _s202);
-    const S _s318 = singles_max(_s317, _s315);
-    const S _s319 = singles_max(_s318, _s312);
-    const S _s320 = singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_sub(singles_add(singles_add(_s312, _s315), _s317), _s319)), _s319));
-    const S _s321 = singles_neg(singles_mul(_c8, _s313));
-    const S _s322 = singles_mul(_c8, _s307);
-    const S _s323 = singles_mul(_s290, _s310);
-    const S _s324 = singles_add(singles_add(singles_mul(singles_abs(singles_neg(singles_mul(bend_s, _s321))), _s139), singles_mul(singles_abs(singles_mul(singles_mul(bend_e, _s322), _s18)), _s162)), _s323);
-    const S _s325 = singles_add(_s324, _s298);
-    const S _s326 = singles_add(singles_add(singles_div(_s245, _c0), _s306), singles_mul(singles_abs(singles_mul(bend_e, singles_sub(singles_mul(nz, _s321), _s208))), _s162));
-    const S _s327 = singles_add(singles_add(_s326, _s323), _s302);
-    const S _s328 = singles_add(singles_add(singles_add(singles_div(_s273, _c0), singles_mul(_s266, _s139)), singles_mul(singles_abs(singles_neg(singles_mul(_s210, _s322))), _s162)), _s323);
-    const S _s329 = singles_add(_s328, _s302);
-    const S _s330 = singles_max(_s325, _s329);
-    const S _s331 = singles_max(_s330, _s327);
-    const S _s332 = singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_sub(singles_add(singles_add(_s325, _s327), _s329), _s331)), _s331));
-    const S _s333 = singles_mul(KS(0.25), singles_add(singles_add(singles_add(singles_add(singles_add(_s156, _s125), singles_mul(KS(0.125), _s181)), singles_mul(KS(0.125), _s235)), singles_mul(KS(0.125), _s265)), singles_mul(KS(0.015625), _s288)));
-    const Q _s334 = singles_at_most(singles_add(singles_add(singles_add(singles_add(singles_add(_s161, _s138), singles_mul(KS(0.125), _s201)), singles_mul(KS(0.125), _s244)), singles_mul(KS(0.125), _s272)), singles_mul(KS(0.015625), _s297)), _s333);
-    return (LANES(hoop_tighten_impact_out)){ singles_select(_s62, _s61, KS(INFINITY)), singles_select(_s62, _s139, KS(INFINITY)), singles_select(_s62, _s162, KS(INFINITY)), singles_select(_s62, _s202, KS(INFINITY)), singles_select(_s62, _s245, KS(INFINITY)), singles_select(_s62, _s273, KS(INFINITY)), singles_select(_s62, _s298, KS(INFINITY)), singles_select(_s62, _s302, KS(INFINITY)), singles_select(_s62, _s305, KS(INFINITY)), singles_select(_s62, _s320, KS(INFINITY)), singles_select(_s62, _s332, KS(INFINITY)), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_select(_s62, singles_mul(KS(1.0009765625), _s44), KS(INFINITY))), _s88, _s95, _s102, _s109, _s116, _s124, _s138, _s161, _s201, _s244, _s272, _s297, _s87, _s94, _s101, _s108, _s115, _s123, _s149, _s150, _s151, _s152, _s153, _s155, _s174, _s175, _s176, _s177, _s178, _s180, _s223, _s225, _s227, _s229, _s231, _s234, _s258, _s259, _s260, _s261, _s262, _s264, _s281, _s282, _s283, _s284, _s285, _s287, singles_select(_s334, KS(1.0), KS(0.0)) };
+    const S _s304 = singles_select(_s62, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_add(singles_add(_s162, _s139), _s61)), singles_mul(KS(0.578125), singles_max(_s303, _s162)))), KS(INFINITY));
+    const S _s305 = singles_mul(_c4, _s139);
+    const S _s306 = singles_add(singles_mul(_c6, _s250), singles_mul(KS(0.6), _s19));
+    const S _s307 = singles_neg(singles_mul(_c1, normal_velocity));
+    const S _s308 = singles_add(_s305, singles_mul(singles_abs(singles_mul(bend_e, singles_sub(singles_mul(nz, _s306), singles_mul(_s307, _s18)))), _s162));
+    const S _s309 = singles_mul(KS(7.62939453125e-06), singles_add(singles_mul(bend_s, _s139), singles_mul(bend_e, _s162)));
+    const S _s310 = singles_mul(_s188, _s309);
+    const S _s311 = singles_add(singles_add(_s308, _s310), _s273);
+    const S _s312 = singles_sub(singles_mul(KS(0.6), _s15), singles_mul(_c6, _s206));
+    const S _s313 = singles_add(singles_add(singles_mul(singles_abs(singles_mul(bend_s, _s307)), _s139), singles_mul(singles_abs(singles_neg(singles_mul(_s210, _s312))), _s162)), _s310);
+    const S _s314 = singles_add(_s313, _s245);
+    const S _s315 = singles_add(singles_add(singles_mul(singles_abs(singles_neg(singles_mul(bend_s, _s306))), _s139), singles_mul(singles_abs(singles_mul(_s166, _s312)), _s162)), _s310);
+    const S _s316 = singles_add(_s315, _s202);
+    const S _s317 = singles_max(_s316, _s314);
+    const S _s318 = singles_select(_s62, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_add(singles_add(_s311, _s314), _s316)), singles_mul(KS(0.578125), singles_max(_s317, _s311)))), KS(INFINITY));
+    const S _s319 = singles_neg(singles_mul(_c8, _s312));
+    const S _s320 = singles_mul(_c8, _s306);
+    const S _s321 = singles_mul(_s290, _s309);
+    const S _s322 = singles_add(singles_add(singles_mul(singles_abs(singles_neg(singles_mul(bend_s, _s319))), _s139), singles_mul(singles_abs(singles_mul(singles_mul(bend_e, _s320), _s18)), _s162)), _s321);
+    const S _s323 = singles_add(_s322, _s298);
+    const S _s324 = singles_add(singles_add(singles_div(_s245, _c0), _s305), singles_mul(singles_abs(singles_mul(bend_e, singles_sub(singles_mul(nz, _s319), _s208))), _s162));
+    const S _s325 = singles_add(singles_add(_s324, _s321), _s302);
+    const S _s326 = singles_add(singles_add(singles_add(singles_div(_s273, _c0), singles_mul(_s266, _s139)), singles_mul(singles_abs(singles_neg(singles_mul(_s210, _s320))), _s162)), _s321);
+    const S _s327 = singles_add(_s326, _s302);
+    const S _s328 = singles_max(_s323, _s327);
+    const S _s329 = singles_select(_s62, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_add(singles_add(_s323, _s325), _s327)), singles_mul(KS(0.578125), singles_max(_s328, _s325)))), KS(INFINITY));
+    const S _s330 = singles_mul(KS(0.25), singles_add(singles_add(singles_add(singles_add(singles_add(_s156, _s125), singles_mul(KS(0.125), _s181)), singles_mul(KS(0.125), _s235)), singles_mul(KS(0.125), _s265)), singles_mul(KS(0.015625), _s288)));
+    const Q _s331 = singles_at_most(singles_add(singles_add(singles_add(singles_add(singles_add(_s161, _s138), singles_mul(KS(0.125), _s201)), singles_mul(KS(0.125), _s244)), singles_mul(KS(0.125), _s272)), singles_mul(KS(0.015625), _s297)), _s330);
+    return (LANES(hoop_tighten_impact_out)){ singles_select(_s62, _s61, KS(INFINITY)), singles_select(_s62, _s139, KS(INFINITY)), singles_select(_s62, _s162, KS(INFINITY)), singles_select(_s62, _s202, KS(INFINITY)), singles_select(_s62, _s245, KS(INFINITY)), singles_select(_s62, _s273, KS(INFINITY)), singles_select(_s62, _s298, KS(INFINITY)), singles_select(_s62, _s302, KS(INFINITY)), _s304, _s318, _s329, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_select(_s62, singles_mul(KS(1.0009765625), _s44), KS(INFINITY))), _s88, _s95, _s102, _s109, _s116, _s124, _s138, _s161, _s201, _s244, _s272, _s297, _s87, _s94, _s101, _s108, _s115, _s123, _s149, _s150, _s151, _s152, _s153, _s155, _s174, _s175, _s176, _s177, _s178, _s180, _s223, _s225, _s227, _s229, _s231, _s234, _s258, _s259, _s260, _s261, _s262, _s264, _s281, _s282, _s283, _s284, _s285, _s287, singles_select(_s331, KS(1.0), KS(0.0)) };
 }
 
 /* Velocity and spin after a contact, frame-free.
@@ -1379,7 +1376,7 @@ LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V _c0, 
 }
 
 /* Bounds on errors after a contact, from those at the departure before it.
-   derivative of the frame-free Eq. 17, with roundings. 952 operations: 254 additions, 71 subtractions, 450 multiplications, 6 divisions, 40 negations, 92 absolute values, 14 comparisons, 25 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 952 operations: 254 additions, 68 subtractions, 453 multiplications, 6 divisions, 40 negations, 92 absolute values, 14 comparisons, 25 selections. */
 typedef struct {
     S place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay;
 } LANES(hoop_carry_impact_out);
@@ -1583,36 +1580,33 @@ LANES(hoop_carry_impact)(S t, S x, S y, S z, S vx, S vy, S vz, S wx, S wy, S wz,
     const S _s193 = singles_max(_s178, _s162);
     const S _s194 = singles_mul(KS(1.0009765625), singles_add(singles_add(_s191, singles_add(singles_mul(_c8, singles_max(_s192, _s164)), singles_max(_s193, _s139))), _s181));
     const S _s195 = singles_max(_s61, _s88);
-    const S _s196 = singles_max(_s195, _s102);
-    const S _s197 = singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_sub(singles_add(singles_add(_s61, _s102), _s88), _s196)), _s196));
-    const S _s198 = singles_mul(_c4, _s88);
-    const S _s199 = singles_add(singles_mul(_c6, _s160), singles_mul(KS(0.6), _s19));
-    const S _s200 = singles_neg(singles_mul(_c1, normal_velocity));
-    const S _s201 = singles_add(_s198, singles_mul(singles_abs(singles_mul(bend_e, singles_sub(singles_mul(nz, _s199), singles_mul(_s200, _s18)))), _s102));
-    const S _s202 = singles_mul(KS(7.62939453125e-06), singles_add(singles_mul(bend_s, _s88), singles_mul(bend_e, _s102)));
-    const S _s203 = singles_mul(_s112, _s202);
-    const S _s204 = singles_add(singles_add(_s201, _s203), _s175);
-    const S _s205 = singles_sub(singles_mul(KS(0.6), _s15), singles_mul(_c6, _s135));
-    const S _s206 = singles_add(singles_add(singles_mul(singles_abs(singles_mul(bend_s, _s200)), _s88), singles_mul(singles_abs(singles_neg(singles_mul(_s141, _s205))), _s102)), _s203);
-    const S _s207 = singles_add(_s206, _s157);
-    const S _s208 = singles_add(singles_add(singles_mul(singles_abs(singles_neg(singles_mul(bend_s, _s199))), _s88), singles_mul(singles_abs(singles_mul(_s105, _s205)), _s102)), _s203);
-    const S _s209 = singles_add(_s208, _s133);
-    const S _s210 = singles_max(_s209, _s207);
-    const S _s211 = singles_max(_s210, _s204);
-    const S _s212 = singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_sub(singles_add(singles_add(_s204, _s207), _s209), _s211)), _s211));
-    const S _s213 = singles_neg(singles_mul(_c8, _s205));
-    const S _s214 = singles_mul(_c8, _s199);
-    const S _s215 = singles_mul(_s179, _s202);
-    const S _s216 = singles_add(singles_add(singles_mul(singles_abs(singles_neg(singles_mul(bend_s, _s213))), _s88), singles_mul(singles_abs(singles_mul(singles_mul(bend_e, _s214), _s18)), _s102)), _s215);
-    const S _s217 = singles_add(_s216, _s190);
-    const S _s218 = singles_add(singles_add(singles_div(_s157, _c0), _s198), singles_mul(singles_abs(singles_mul(bend_e, singles_sub(singles_mul(nz, _s213), _s137))), _s102));
-    const S _s219 = singles_add(singles_add(_s218, _s215), _s194);
-    const S _s220 = singles_add(singles_add(singles_add(singles_div(_s175, _c0), singles_mul(_s159, _s88)), singles_mul(singles_abs(singles_neg(singles_mul(_s141, _s214))), _s102)), _s215);
-    const S _s221 = singles_add(_s220, _s194);
-    const S _s222 = singles_max(_s217, _s221);
-    const S _s223 = singles_max(_s222, _s219);
-    const S _s224 = singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_sub(singles_add(singles_add(_s217, _s219), _s221), _s223)), _s223));
-    return (LANES(hoop_carry_impact_out)){ singles_select(_s62, _s61, KS(INFINITY)), singles_select(_s62, _s88, KS(INFINITY)), singles_select(_s62, _s102, KS(INFINITY)), singles_select(_s62, _s133, KS(INFINITY)), singles_select(_s62, _s157, KS(INFINITY)), singles_select(_s62, _s175, KS(INFINITY)), singles_select(_s62, _s190, KS(INFINITY)), singles_select(_s62, _s194, KS(INFINITY)), singles_select(_s62, _s197, KS(INFINITY)), singles_select(_s62, _s212, KS(INFINITY)), singles_select(_s62, _s224, KS(INFINITY)), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_select(_s62, singles_mul(KS(1.0009765625), _s44), KS(INFINITY))) };
+    const S _s196 = singles_select(_s62, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_add(singles_add(_s61, _s102), _s88)), singles_mul(KS(0.578125), singles_max(_s195, _s102)))), KS(INFINITY));
+    const S _s197 = singles_mul(_c4, _s88);
+    const S _s198 = singles_add(singles_mul(_c6, _s160), singles_mul(KS(0.6), _s19));
+    const S _s199 = singles_neg(singles_mul(_c1, normal_velocity));
+    const S _s200 = singles_add(_s197, singles_mul(singles_abs(singles_mul(bend_e, singles_sub(singles_mul(nz, _s198), singles_mul(_s199, _s18)))), _s102));
+    const S _s201 = singles_mul(KS(7.62939453125e-06), singles_add(singles_mul(bend_s, _s88), singles_mul(bend_e, _s102)));
+    const S _s202 = singles_mul(_s112, _s201);
+    const S _s203 = singles_add(singles_add(_s200, _s202), _s175);
+    const S _s204 = singles_sub(singles_mul(KS(0.6), _s15), singles_mul(_c6, _s135));
+    const S _s205 = singles_add(singles_add(singles_mul(singles_abs(singles_mul(bend_s, _s199)), _s88), singles_mul(singles_abs(singles_neg(singles_mul(_s141, _s204))), _s102)), _s202);
+    const S _s206 = singles_add(_s205, _s157);
+    const S _s207 = singles_add(singles_add(singles_mul(singles_abs(singles_neg(singles_mul(bend_s, _s198))), _s88), singles_mul(singles_abs(singles_mul(_s105, _s204)), _s102)), _s202);
+    const S _s208 = singles_add(_s207, _s133);
+    const S _s209 = singles_max(_s208, _s206);
+    const S _s210 = singles_select(_s62, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_add(singles_add(_s203, _s206), _s208)), singles_mul(KS(0.578125), singles_max(_s209, _s203)))), KS(INFINITY));
+    const S _s211 = singles_neg(singles_mul(_c8, _s204));
+    const S _s212 = singles_mul(_c8, _s198);
+    const S _s213 = singles_mul(_s179, _s201);
+    const S _s214 = singles_add(singles_add(singles_mul(singles_abs(singles_neg(singles_mul(bend_s, _s211))), _s88), singles_mul(singles_abs(singles_mul(singles_mul(bend_e, _s212), _s18)), _s102)), _s213);
+    const S _s215 = singles_add(_s214, _s190);
+    const S _s216 = singles_add(singles_add(singles_div(_s157, _c0), _s197), singles_mul(singles_abs(singles_mul(bend_e, singles_sub(singles_mul(nz, _s211), _s137))), _s102));
+    const S _s217 = singles_add(singles_add(_s216, _s213), _s194);
+    const S _s218 = singles_add(singles_add(singles_add(singles_div(_s175, _c0), singles_mul(_s159, _s88)), singles_mul(singles_abs(singles_neg(singles_mul(_s141, _s212))), _s102)), _s213);
+    const S _s219 = singles_add(_s218, _s194);
+    const S _s220 = singles_max(_s215, _s219);
+    const S _s221 = singles_select(_s62, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_add(singles_add(_s215, _s217), _s219)), singles_mul(KS(0.578125), singles_max(_s220, _s217)))), KS(INFINITY));
+    return (LANES(hoop_carry_impact_out)){ singles_select(_s62, _s61, KS(INFINITY)), singles_select(_s62, _s88, KS(INFINITY)), singles_select(_s62, _s102, KS(INFINITY)), singles_select(_s62, _s133, KS(INFINITY)), singles_select(_s62, _s157, KS(INFINITY)), singles_select(_s62, _s175, KS(INFINITY)), singles_select(_s62, _s190, KS(INFINITY)), singles_select(_s62, _s194, KS(INFINITY)), _s196, _s210, _s221, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_select(_s62, singles_mul(KS(1.0009765625), _s44), KS(INFINITY))) };
 }
 
 /* Outward unit normal n3 at a contact.

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation c5d48a0cdee90d5d,
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation a07e4e9dc91760e5,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -1025,7 +1025,7 @@ static __device__ __forceinline__ kernel_plane_start_out kernel_plane_start(doub
 }
 
 /* The same, through the product of derivatives since an earlier contact.
-   derivative of the frame-free Eq. 17, with roundings. 1515 operations: 469 additions, 71 subtractions, 709 multiplications, 7 divisions, 40 negations, 129 absolute values, 16 comparisons, 74 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 1515 operations: 469 additions, 68 subtractions, 712 multiplications, 7 divisions, 40 negations, 129 absolute values, 16 comparisons, 74 selections. */
 struct kernel_tighten_impact_out {
     float place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay, origin_s, origin_e, origin_u, origin_v, origin_w, origin_t, recent_s, recent_e, recent_u, recent_v, recent_w, recent_t, product_11, product_12, product_13, product_14, product_15, product_16, product_21, product_22, product_23, product_24, product_25, product_26, product_31, product_32, product_33, product_34, product_35, product_36, product_41, product_42, product_43, product_44, product_45, product_46, product_51, product_52, product_53, product_54, product_55, product_56, product_61, product_62, product_63, product_64, product_65, product_66, continued;
 };
@@ -1343,38 +1343,35 @@ static __device__ __forceinline__ kernel_tighten_impact_out kernel_tighten_impac
     const float _s308 = larger(_s295, _s273);
     const float _s309 = ((float)1.0009765625) * ((_s306 + ((_s211 * larger(_s307, _s274)) + larger(_s308, _s243))) + _s299);
     const float _s310 = larger(_s62, _s140);
-    const float _s311 = larger(_s310, _s164);
-    const float _s312 = ((float)1.0009765625) * ((((float)0.421875) * (((_s164 + _s140) + _s62) - _s311)) + _s311);
-    const float _s313 = _s159 * _s140;
-    const float _s314 = (_s187 * _s256) + (((float)0.6) * _s20);
-    const float _s315 = -(p_restitution * normal_velocity);
-    const float _s316 = _s313 + (fabsf((bend_e * ((nz * _s314) - (_s315 * _s19)))) * _s164);
-    const float _s317 = ((float)7.62939453125e-06) * ((bend_s * _s140) + (bend_e * _s164));
-    const float _s318 = _s192 * _s317;
-    const float _s319 = (_s316 + _s318) + _s279;
-    const float _s320 = (((float)0.6) * _s16) - (_s187 * _s212);
-    const float _s321 = ((fabsf((bend_s * _s315)) * _s140) + (fabsf((-(_s216 * _s320))) * _s164)) + _s318;
-    const float _s322 = _s321 + _s251;
-    const float _s323 = ((fabsf((-(bend_s * _s314))) * _s140) + (fabsf((_s168 * _s320)) * _s164)) + _s318;
-    const float _s324 = _s323 + _s207;
-    const float _s325 = larger(_s324, _s322);
-    const float _s326 = larger(_s325, _s319);
-    const float _s327 = ((float)1.0009765625) * ((((float)0.421875) * (((_s319 + _s322) + _s324) - _s326)) + _s326);
-    const float _s328 = -(_s211 * _s320);
-    const float _s329 = _s211 * _s314;
-    const float _s330 = _s297 * _s317;
-    const float _s331 = ((fabsf((-(bend_s * _s328))) * _s140) + (fabsf(((bend_e * _s329) * _s19)) * _s164)) + _s330;
-    const float _s332 = _s331 + _s305;
-    const float _s333 = ((_s251 / p_ball_radius) + _s313) + (fabsf((bend_e * ((nz * _s328) - _s214))) * _s164);
-    const float _s334 = (_s333 + _s330) + _s309;
-    const float _s335 = (((_s279 / p_ball_radius) + (_s272 * _s140)) + (fabsf((-(_s216 * _s329))) * _s164)) + _s330;
-    const float _s336 = _s335 + _s309;
-    const float _s337 = larger(_s332, _s336);
-    const float _s338 = larger(_s337, _s334);
-    const float _s339 = ((float)1.0009765625) * ((((float)0.421875) * (((_s332 + _s334) + _s336) - _s338)) + _s338);
-    const float _s340 = ((float)0.25) * (((((_s157 + _s126) + (((float)0.125) * _s183)) + (((float)0.125) * _s241)) + (((float)0.125) * _s271)) + (((float)0.015625) * _s294));
-    const bool _s341 = (((((_s163 + _s139) + (((float)0.125) * _s206)) + (((float)0.125) * _s250)) + (((float)0.125) * _s278)) + (((float)0.015625) * _s304)) <= _s340;
-    return {choose(_s63, _s62, ((float)INFINITE)), choose(_s63, _s140, ((float)INFINITE)), choose(_s63, _s164, ((float)INFINITE)), choose(_s63, _s207, ((float)INFINITE)), choose(_s63, _s251, ((float)INFINITE)), choose(_s63, _s279, ((float)INFINITE)), choose(_s63, _s305, ((float)INFINITE)), choose(_s63, _s309, ((float)INFINITE)), choose(_s63, _s312, ((float)INFINITE)), choose(_s63, _s327, ((float)INFINITE)), choose(_s63, _s339, ((float)INFINITE)), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, (((float)4.440892098500626e-16) * (t + clock)) + choose(_s63, (((float)1.0009765625) * _s45), ((float)INFINITE)), _s89, _s96, _s103, _s110, _s117, _s125, _s139, _s163, _s206, _s250, _s278, _s304, _s88, _s95, _s102, _s109, _s116, _s124, _s150, _s151, _s152, _s153, _s154, _s156, _s176, _s177, _s178, _s179, _s180, _s182, _s229, _s231, _s233, _s235, _s237, _s240, _s264, _s265, _s266, _s267, _s268, _s270, _s287, _s288, _s289, _s290, _s291, _s293, choose(_s341, ((float)1.0), ((float)0.0))};
+    const float _s311 = choose(_s63, (((float)1.0009765625) * ((((float)0.421875) * ((_s164 + _s140) + _s62)) + (((float)0.578125) * larger(_s310, _s164)))), ((float)INFINITE));
+    const float _s312 = _s159 * _s140;
+    const float _s313 = (_s187 * _s256) + (((float)0.6) * _s20);
+    const float _s314 = -(p_restitution * normal_velocity);
+    const float _s315 = _s312 + (fabsf((bend_e * ((nz * _s313) - (_s314 * _s19)))) * _s164);
+    const float _s316 = ((float)7.62939453125e-06) * ((bend_s * _s140) + (bend_e * _s164));
+    const float _s317 = _s192 * _s316;
+    const float _s318 = (_s315 + _s317) + _s279;
+    const float _s319 = (((float)0.6) * _s16) - (_s187 * _s212);
+    const float _s320 = ((fabsf((bend_s * _s314)) * _s140) + (fabsf((-(_s216 * _s319))) * _s164)) + _s317;
+    const float _s321 = _s320 + _s251;
+    const float _s322 = ((fabsf((-(bend_s * _s313))) * _s140) + (fabsf((_s168 * _s319)) * _s164)) + _s317;
+    const float _s323 = _s322 + _s207;
+    const float _s324 = larger(_s323, _s321);
+    const float _s325 = choose(_s63, (((float)1.0009765625) * ((((float)0.421875) * ((_s318 + _s321) + _s323)) + (((float)0.578125) * larger(_s324, _s318)))), ((float)INFINITE));
+    const float _s326 = -(_s211 * _s319);
+    const float _s327 = _s211 * _s313;
+    const float _s328 = _s297 * _s316;
+    const float _s329 = ((fabsf((-(bend_s * _s326))) * _s140) + (fabsf(((bend_e * _s327) * _s19)) * _s164)) + _s328;
+    const float _s330 = _s329 + _s305;
+    const float _s331 = ((_s251 / p_ball_radius) + _s312) + (fabsf((bend_e * ((nz * _s326) - _s214))) * _s164);
+    const float _s332 = (_s331 + _s328) + _s309;
+    const float _s333 = (((_s279 / p_ball_radius) + (_s272 * _s140)) + (fabsf((-(_s216 * _s327))) * _s164)) + _s328;
+    const float _s334 = _s333 + _s309;
+    const float _s335 = larger(_s330, _s334);
+    const float _s336 = choose(_s63, (((float)1.0009765625) * ((((float)0.421875) * ((_s330 + _s332) + _s334)) + (((float)0.578125) * larger(_s335, _s332)))), ((float)INFINITE));
+    const float _s337 = ((float)0.25) * (((((_s157 + _s126) + (((float)0.125) * _s183)) + (((float)0.125) * _s241)) + (((float)0.125) * _s271)) + (((float)0.015625) * _s294));
+    const bool _s338 = (((((_s163 + _s139) + (((float)0.125) * _s206)) + (((float)0.125) * _s250)) + (((float)0.125) * _s278)) + (((float)0.015625) * _s304)) <= _s337;
+    return {choose(_s63, _s62, ((float)INFINITE)), choose(_s63, _s140, ((float)INFINITE)), choose(_s63, _s164, ((float)INFINITE)), choose(_s63, _s207, ((float)INFINITE)), choose(_s63, _s251, ((float)INFINITE)), choose(_s63, _s279, ((float)INFINITE)), choose(_s63, _s305, ((float)INFINITE)), choose(_s63, _s309, ((float)INFINITE)), _s311, _s325, _s336, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, (((float)4.440892098500626e-16) * (t + clock)) + choose(_s63, (((float)1.0009765625) * _s45), ((float)INFINITE)), _s89, _s96, _s103, _s110, _s117, _s125, _s139, _s163, _s206, _s250, _s278, _s304, _s88, _s95, _s102, _s109, _s116, _s124, _s150, _s151, _s152, _s153, _s154, _s156, _s176, _s177, _s178, _s179, _s180, _s182, _s229, _s231, _s233, _s235, _s237, _s240, _s264, _s265, _s266, _s267, _s268, _s270, _s287, _s288, _s289, _s290, _s291, _s293, choose(_s338, ((float)1.0), ((float)0.0))};
 }
 
 /* Velocity and spin after a contact, frame-free.
@@ -1396,7 +1393,7 @@ static __device__ __forceinline__ kernel_impact_out kernel_impact(double vx, dou
 }
 
 /* Bounds on errors after a contact, from those at the departure before it.
-   derivative of the frame-free Eq. 17, with roundings. 959 operations: 255 additions, 71 subtractions, 454 multiplications, 7 divisions, 40 negations, 93 absolute values, 14 comparisons, 25 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 959 operations: 255 additions, 68 subtractions, 457 multiplications, 7 divisions, 40 negations, 93 absolute values, 14 comparisons, 25 selections. */
 struct kernel_carry_impact_out {
     float place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay;
 };
@@ -1606,36 +1603,33 @@ static __device__ __forceinline__ kernel_carry_impact_out kernel_carry_impact(fl
     const float _s200 = larger(_s184, _s168);
     const float _s201 = ((float)1.0009765625) * ((_s198 + ((_s158 * larger(_s199, _s170)) + larger(_s200, _s144))) + _s188);
     const float _s202 = larger(_s62, _s89);
-    const float _s203 = larger(_s202, _s104);
-    const float _s204 = ((float)1.0009765625) * ((((float)0.421875) * (((_s62 + _s104) + _s89) - _s203)) + _s203);
-    const float _s205 = _s91 * _s89;
-    const float _s206 = (_s111 * _s166) + (((float)0.6) * _s20);
-    const float _s207 = -(p_restitution * normal_velocity);
-    const float _s208 = _s205 + (fabsf((bend_e * ((nz * _s206) - (_s207 * _s19)))) * _s104);
-    const float _s209 = ((float)7.62939453125e-06) * ((bend_s * _s89) + (bend_e * _s104));
-    const float _s210 = _s116 * _s209;
-    const float _s211 = (_s208 + _s210) + _s181;
-    const float _s212 = (((float)0.6) * _s16) - (_s111 * _s140);
-    const float _s213 = ((fabsf((bend_s * _s207)) * _s89) + (fabsf((-(_s146 * _s212))) * _s104)) + _s210;
-    const float _s214 = _s213 + _s163;
-    const float _s215 = ((fabsf((-(bend_s * _s206))) * _s89) + (fabsf((_s107 * _s212)) * _s104)) + _s210;
-    const float _s216 = _s215 + _s138;
-    const float _s217 = larger(_s216, _s214);
-    const float _s218 = larger(_s217, _s211);
-    const float _s219 = ((float)1.0009765625) * ((((float)0.421875) * (((_s211 + _s214) + _s216) - _s218)) + _s218);
-    const float _s220 = -(_s158 * _s212);
-    const float _s221 = _s158 * _s206;
-    const float _s222 = _s186 * _s209;
-    const float _s223 = ((fabsf((-(bend_s * _s220))) * _s89) + (fabsf(((bend_e * _s221) * _s19)) * _s104)) + _s222;
-    const float _s224 = _s223 + _s197;
-    const float _s225 = ((_s163 / p_ball_radius) + _s205) + (fabsf((bend_e * ((nz * _s220) - _s142))) * _s104);
-    const float _s226 = (_s225 + _s222) + _s201;
-    const float _s227 = (((_s181 / p_ball_radius) + (_s165 * _s89)) + (fabsf((-(_s146 * _s221))) * _s104)) + _s222;
-    const float _s228 = _s227 + _s201;
-    const float _s229 = larger(_s224, _s228);
-    const float _s230 = larger(_s229, _s226);
-    const float _s231 = ((float)1.0009765625) * ((((float)0.421875) * (((_s224 + _s226) + _s228) - _s230)) + _s230);
-    return {choose(_s63, _s62, ((float)INFINITE)), choose(_s63, _s89, ((float)INFINITE)), choose(_s63, _s104, ((float)INFINITE)), choose(_s63, _s138, ((float)INFINITE)), choose(_s63, _s163, ((float)INFINITE)), choose(_s63, _s181, ((float)INFINITE)), choose(_s63, _s197, ((float)INFINITE)), choose(_s63, _s201, ((float)INFINITE)), choose(_s63, _s204, ((float)INFINITE)), choose(_s63, _s219, ((float)INFINITE)), choose(_s63, _s231, ((float)INFINITE)), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, (((float)4.440892098500626e-16) * (t + clock)) + choose(_s63, (((float)1.0009765625) * _s45), ((float)INFINITE))};
+    const float _s203 = choose(_s63, (((float)1.0009765625) * ((((float)0.421875) * ((_s62 + _s104) + _s89)) + (((float)0.578125) * larger(_s202, _s104)))), ((float)INFINITE));
+    const float _s204 = _s91 * _s89;
+    const float _s205 = (_s111 * _s166) + (((float)0.6) * _s20);
+    const float _s206 = -(p_restitution * normal_velocity);
+    const float _s207 = _s204 + (fabsf((bend_e * ((nz * _s205) - (_s206 * _s19)))) * _s104);
+    const float _s208 = ((float)7.62939453125e-06) * ((bend_s * _s89) + (bend_e * _s104));
+    const float _s209 = _s116 * _s208;
+    const float _s210 = (_s207 + _s209) + _s181;
+    const float _s211 = (((float)0.6) * _s16) - (_s111 * _s140);
+    const float _s212 = ((fabsf((bend_s * _s206)) * _s89) + (fabsf((-(_s146 * _s211))) * _s104)) + _s209;
+    const float _s213 = _s212 + _s163;
+    const float _s214 = ((fabsf((-(bend_s * _s205))) * _s89) + (fabsf((_s107 * _s211)) * _s104)) + _s209;
+    const float _s215 = _s214 + _s138;
+    const float _s216 = larger(_s215, _s213);
+    const float _s217 = choose(_s63, (((float)1.0009765625) * ((((float)0.421875) * ((_s210 + _s213) + _s215)) + (((float)0.578125) * larger(_s216, _s210)))), ((float)INFINITE));
+    const float _s218 = -(_s158 * _s211);
+    const float _s219 = _s158 * _s205;
+    const float _s220 = _s186 * _s208;
+    const float _s221 = ((fabsf((-(bend_s * _s218))) * _s89) + (fabsf(((bend_e * _s219) * _s19)) * _s104)) + _s220;
+    const float _s222 = _s221 + _s197;
+    const float _s223 = ((_s163 / p_ball_radius) + _s204) + (fabsf((bend_e * ((nz * _s218) - _s142))) * _s104);
+    const float _s224 = (_s223 + _s220) + _s201;
+    const float _s225 = (((_s181 / p_ball_radius) + (_s165 * _s89)) + (fabsf((-(_s146 * _s219))) * _s104)) + _s220;
+    const float _s226 = _s225 + _s201;
+    const float _s227 = larger(_s222, _s226);
+    const float _s228 = choose(_s63, (((float)1.0009765625) * ((((float)0.421875) * ((_s222 + _s224) + _s226)) + (((float)0.578125) * larger(_s227, _s224)))), ((float)INFINITE));
+    return {choose(_s63, _s62, ((float)INFINITE)), choose(_s63, _s89, ((float)INFINITE)), choose(_s63, _s104, ((float)INFINITE)), choose(_s63, _s138, ((float)INFINITE)), choose(_s63, _s163, ((float)INFINITE)), choose(_s63, _s181, ((float)INFINITE)), choose(_s63, _s197, ((float)INFINITE)), choose(_s63, _s201, ((float)INFINITE)), _s203, _s217, _s228, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, (((float)4.440892098500626e-16) * (t + clock)) + choose(_s63, (((float)1.0009765625) * _s45), ((float)INFINITE))};
 }
 
 /* Outward unit normal n3 at a contact.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation c5d48a0cdee90d5d,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation a07e4e9dc91760e5,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -570,106 +570,108 @@ _k72 = _scalar(_float32(4.0))
 _k73 = _scalar(_float32(0.6))
 _k74 = _float32(1.0)
 _k75 = _scalar(_float32(0.421875))
-_k76 = _scalar(_float32(0.25))
-_k77 = _scalar(_float32(0.125))
-_k78 = _scalar(_float32(0.015625))
-_k79 = _float32(1.02)
-_k80 = _float32(7.62939453125e-06)
-_k81 = _float32(100.0)
-_k82 = _float32(4194304.0)
-_k83 = _float32(9.5367431640625e-07)
-_k84 = _float32(1.5543122344752192e-15)
-_k85 = _float32(4.0)
-_k86 = _float32(0.421875)
-_k87 = _float32(0.125)
-_k88 = _float32(0.015625)
-_k89 = _float32(0.25)
-_k90 = _scalar(0.6)
-_k91 = _float64(0.0625)
-_k92 = _scalar(_float32(1.5))
-_k93 = _float32(16.0)
-_k94 = _scalar(_float32(1.125))
-_k95 = _scalar(_float32(1.7763568394002505e-15))
-_k96 = _float32(3.5)
-_k97 = _float32(7.0)
-_k98 = _float32(1.5)
-_k99 = _float32(1.125)
-_k100 = _float32(1.7763568394002505e-15)
-_k101 = _float64(1.00006103515625)
-_k102 = _float64(0.0001220703125)
-_k103 = _scalar(4.0)
-_k104 = _float64(0.000244140625)
-_k105 = _float64(1.52587890625e-05)
-_k106 = _float64(5.820766091346741e-11)
-_k107 = _float64(65536.0)
-_k108 = _float64(6.0003662109375)
-_k109 = _scalar(8.881784197001252e-16)
-_k110 = _scalar(2.409919865102884e-181)
-_k111 = _scalar(-_inf)
-_k112 = _float64(8.881784197001252e-16)
-_k113 = _float64(2.409919865102884e-181)
-_k114 = _float64(-_inf)
-_k115 = _scalar(5.0)
-_k116 = _scalar(2.220446049250313e-16)
-_k117 = _scalar(3.552713678800501e-15)
-_k118 = _float64(1.3323489447131243e-15)
-_k119 = _float64(5.00030517578125)
-_k120 = _float64(3.552713678800501e-15)
-_k121 = _float64(5.0)
-_k122 = _float64(2.220446049250313e-16)
-_k123 = _scalar(9.094947017729282e-13)
-_k124 = _float64(9.094947017729282e-13)
-_k125 = _float32(1.00006103515625)
-_k126 = _scalar(_float32(4.76837158203125e-07))
-_k127 = _scalar(_float32(8.673617379884035e-19))
-_k128 = _scalar(_float32(-_inf))
-_k129 = _float32(0.0001220703125)
-_k130 = _scalar(_float32(1.000000238418579))
-_k131 = _float32(32.0)
-_k132 = _float32(4096.0)
-_k133 = _float32(0.000244140625)
-_k134 = _scalar(_float32(4096.0))
-_k135 = _float32(4.76837158203125e-07)
-_k136 = _float32(8.673617379884035e-19)
-_k137 = _float32(-_inf)
-_k138 = _float32(1.000000238418579)
-_k139 = _scalar(_float32(5.0))
-_k140 = _scalar(_float32(0.00390625))
-_k141 = _scalar(_float32(2.9802322387695312e-08))
-_k142 = _scalar(_float32(2.842170943040401e-14))
-_k143 = _float32(6.0003662109375)
-_k144 = _scalar(_float32(0.5))
-_k145 = _float32(5.0048828125)
-_k146 = _scalar(_float32(5.684341886080802e-14))
-_k147 = _scalar(_float32(2.384185791015625e-07))
-_k148 = _float32(128.0)
-_k149 = _float32(2.842170943040401e-14)
-_k150 = _float32(0.00390625)
-_k151 = _float32(5.0)
-_k152 = _float32(2.9802322387695312e-08)
-_k153 = _float32(5.684341886080802e-14)
-_k154 = _float32(2.384185791015625e-07)
-_k155 = _float32(6.0)
-_k156 = _scalar(_float32(8.0))
-_k157 = _scalar(_float32(0.0001220703125))
-_k158 = _scalar(_float32(3.814697265625e-06))
-_k159 = _scalar(_float32(3.0))
-_k160 = _scalar(_float32(0.000244140625))
-_k161 = _float32(8.0)
-_k162 = _float32(3.814697265625e-06)
-_k163 = _float32(3.0)
-_k164 = _float64(8.940696716308594e-08)
-_k165 = _float32(1.00048828125)
-_k166 = _float32(0.00048828125)
-_k167 = _float32(1.4143014047294855)
-_k168 = _float32(1.52587890625e-05)
-_k169 = _scalar(2.222614453595284e-16)
-_k170 = _scalar(2.001953125)
-_k171 = _float64(6.667843360785852e-16)
-_k172 = _float64(8.890457814381136e-16)
-_k173 = _float64(2.222614453595284e-16)
-_k174 = _float64(2.001953125)
-_k175 = _float64(7.105427357601002e-15)
+_k76 = _scalar(_float32(0.578125))
+_k77 = _scalar(_float32(0.25))
+_k78 = _scalar(_float32(0.125))
+_k79 = _scalar(_float32(0.015625))
+_k80 = _float32(1.02)
+_k81 = _float32(7.62939453125e-06)
+_k82 = _float32(100.0)
+_k83 = _float32(4194304.0)
+_k84 = _float32(9.5367431640625e-07)
+_k85 = _float32(1.5543122344752192e-15)
+_k86 = _float32(4.0)
+_k87 = _float32(0.421875)
+_k88 = _float32(0.578125)
+_k89 = _float32(0.125)
+_k90 = _float32(0.015625)
+_k91 = _float32(0.25)
+_k92 = _scalar(0.6)
+_k93 = _float64(0.0625)
+_k94 = _scalar(_float32(1.5))
+_k95 = _float32(16.0)
+_k96 = _scalar(_float32(1.125))
+_k97 = _scalar(_float32(1.7763568394002505e-15))
+_k98 = _float32(3.5)
+_k99 = _float32(7.0)
+_k100 = _float32(1.5)
+_k101 = _float32(1.125)
+_k102 = _float32(1.7763568394002505e-15)
+_k103 = _float64(1.00006103515625)
+_k104 = _float64(0.0001220703125)
+_k105 = _scalar(4.0)
+_k106 = _float64(0.000244140625)
+_k107 = _float64(1.52587890625e-05)
+_k108 = _float64(5.820766091346741e-11)
+_k109 = _float64(65536.0)
+_k110 = _float64(6.0003662109375)
+_k111 = _scalar(8.881784197001252e-16)
+_k112 = _scalar(2.409919865102884e-181)
+_k113 = _scalar(-_inf)
+_k114 = _float64(8.881784197001252e-16)
+_k115 = _float64(2.409919865102884e-181)
+_k116 = _float64(-_inf)
+_k117 = _scalar(5.0)
+_k118 = _scalar(2.220446049250313e-16)
+_k119 = _scalar(3.552713678800501e-15)
+_k120 = _float64(1.3323489447131243e-15)
+_k121 = _float64(5.00030517578125)
+_k122 = _float64(3.552713678800501e-15)
+_k123 = _float64(5.0)
+_k124 = _float64(2.220446049250313e-16)
+_k125 = _scalar(9.094947017729282e-13)
+_k126 = _float64(9.094947017729282e-13)
+_k127 = _float32(1.00006103515625)
+_k128 = _scalar(_float32(4.76837158203125e-07))
+_k129 = _scalar(_float32(8.673617379884035e-19))
+_k130 = _scalar(_float32(-_inf))
+_k131 = _float32(0.0001220703125)
+_k132 = _scalar(_float32(1.000000238418579))
+_k133 = _float32(32.0)
+_k134 = _float32(4096.0)
+_k135 = _float32(0.000244140625)
+_k136 = _scalar(_float32(4096.0))
+_k137 = _float32(4.76837158203125e-07)
+_k138 = _float32(8.673617379884035e-19)
+_k139 = _float32(-_inf)
+_k140 = _float32(1.000000238418579)
+_k141 = _scalar(_float32(5.0))
+_k142 = _scalar(_float32(0.00390625))
+_k143 = _scalar(_float32(2.9802322387695312e-08))
+_k144 = _scalar(_float32(2.842170943040401e-14))
+_k145 = _float32(6.0003662109375)
+_k146 = _scalar(_float32(0.5))
+_k147 = _float32(5.0048828125)
+_k148 = _scalar(_float32(5.684341886080802e-14))
+_k149 = _scalar(_float32(2.384185791015625e-07))
+_k150 = _float32(128.0)
+_k151 = _float32(2.842170943040401e-14)
+_k152 = _float32(0.00390625)
+_k153 = _float32(5.0)
+_k154 = _float32(2.9802322387695312e-08)
+_k155 = _float32(5.684341886080802e-14)
+_k156 = _float32(2.384185791015625e-07)
+_k157 = _float32(6.0)
+_k158 = _scalar(_float32(8.0))
+_k159 = _scalar(_float32(0.0001220703125))
+_k160 = _scalar(_float32(3.814697265625e-06))
+_k161 = _scalar(_float32(3.0))
+_k162 = _scalar(_float32(0.000244140625))
+_k163 = _float32(8.0)
+_k164 = _float32(3.814697265625e-06)
+_k165 = _float32(3.0)
+_k166 = _float64(8.940696716308594e-08)
+_k167 = _float32(1.00048828125)
+_k168 = _float32(0.00048828125)
+_k169 = _float32(1.4143014047294855)
+_k170 = _float32(1.52587890625e-05)
+_k171 = _scalar(2.222614453595284e-16)
+_k172 = _scalar(2.001953125)
+_k173 = _float64(6.667843360785852e-16)
+_k174 = _float64(8.890457814381136e-16)
+_k175 = _float64(2.222614453595284e-16)
+_k176 = _float64(2.001953125)
+_k177 = _float64(7.105427357601002e-15)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -1519,7 +1521,7 @@ def plane_start(p_gravity: Any, undecided_time: Any, position_error: Any, veloci
 def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, clock: Any, left_nx: Any, left_ny: Any, left_nz: Any, place_n: Any, place_s: Any, place_e: Any, pace_n: Any, pace_s: Any, pace_e: Any, turn_n: Any, turn_z: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any, tangent_x: Any, tangent_y: Any, bend_s: Any, bend_e: Any, left_ex: Any, left_ey: Any, left_bend_s: Any, left_bend_e: Any, sharpest_bend: Any, root_offset: Any, root_level: Any, normal_rounding: Any, normal_velocity: Any, back: Any, origin_s: Any, origin_e: Any, origin_u: Any, origin_v: Any, origin_w: Any, origin_t: Any, product_11: Any, product_12: Any, product_13: Any, product_14: Any, product_15: Any, product_16: Any, product_21: Any, product_22: Any, product_23: Any, product_24: Any, product_25: Any, product_26: Any, product_31: Any, product_32: Any, product_33: Any, product_34: Any, product_35: Any, product_36: Any, product_41: Any, product_42: Any, product_43: Any, product_44: Any, product_45: Any, product_46: Any, product_51: Any, product_52: Any, product_53: Any, product_54: Any, product_55: Any, product_56: Any, product_61: Any, product_62: Any, product_63: Any, product_64: Any, product_65: Any, product_66: Any, recent_s: Any, recent_e: Any, recent_u: Any, recent_v: Any, recent_w: Any, recent_t: Any, continued: Any, p_ball_radius: Any, p_restitution: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The same, through the product of derivatives since an earlier contact.
 
-    derivative of the frame-free Eq. 17, with roundings. 1515 operations: 469 additions, 71 subtractions, 709 multiplications, 7 divisions, 40 negations, 129 absolute values, 16 comparisons, 74 selections.
+    derivative of the frame-free Eq. 17, with roundings. 1515 operations: 469 additions, 68 subtractions, 712 multiplications, 7 divisions, 40 negations, 129 absolute values, 16 comparisons, 74 selections.
     """
     t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, origin_s, origin_e, origin_u, origin_v, origin_w, origin_t, product_11, product_12, product_13, product_14, product_15, product_16, product_21, product_22, product_23, product_24, product_25, product_26, product_31, product_32, product_33, product_34, product_35, product_36, product_41, product_42, product_43, product_44, product_45, product_46, product_51, product_52, product_53, product_54, product_55, product_56, product_61, product_62, product_63, product_64, product_65, product_66, recent_s, recent_e, recent_u, recent_v, recent_w, recent_t, continued, p_ball_radius, p_restitution, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, origin_s, origin_e, origin_u, origin_v, origin_w, origin_t, product_11, product_12, product_13, product_14, product_15, product_16, product_21, product_22, product_23, product_24, product_25, product_26, product_31, product_32, product_33, product_34, product_35, product_36, product_41, product_42, product_43, product_44, product_45, product_46, product_51, product_52, product_53, product_54, product_55, product_56, product_61, product_62, product_63, product_64, product_65, product_66, recent_s, recent_e, recent_u, recent_v, recent_w, recent_t, continued, p_ball_radius, p_restitution, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40, _r41, _r42, _r43, _r44, _r45, _r46, _r47, _r48, _r49, _r50, _r51, _r52, _r53, _r54, _r55, _r56, _r57, _r58, _r59, _r60, _r61, _r62, _r63, _r64, _r65, _r66, _r67, _r68, _r69, _r70, _r71, _r72, _r73, _r74, _r75, _r76, _r77, _r78, _r79, _r80, _r81, _r82, _r83, _r84, _r85, _r86, _r87, _r88, _r89, _r90, _r91, _r92, _r93, _r94, _r95, _r96, _r97, _r98, _r99, _r100, _r101, _r102, _r103, _r104, _r105, _r106, _r107, _r108, _r109, _r110, _r111, _r112, _r113, _r114, _r115, _r116, _r117, _r118, _r119, _r120, _r121, _r122 = _halves(_room[:123])
@@ -1834,38 +1836,35 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s308 = _select(_s295 < _s273, _s273, _s295, _r6)
     _s309 = _multiply(_k27, _add(_add(_s306, _add(_multiply(_s211, _select(_s307 < _s274, _s274, _s307, _r34), _r34), _select(_s308 < _s243, _s243, _s308, _r35), _r35), _r35), _s299, _r35), _r35)
     _s310 = _select(_s62 < _s140, _s140, _s62, _r42)
-    _s311 = _select(_s310 < _s164, _s164, _s310, _r19)
-    _s312 = _multiply(_k27, _add(_multiply(_k75, _subtract(_add(_add(_s164, _s140, _r6), _s62, _r6), _s311, _r6), _r6), _s311, _r6), _r6)
-    _s313 = _multiply(_s159, _s140, _r19)
-    _s314 = _add(_multiply(_s187, _s256, _r119), _multiply(_k73, _s20, _r16), _r16)
-    _s315 = _negative(_multiply(p_restitution, normal_velocity, _r119), _r119)
-    _s316 = _add(_s313, _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s314, _r42), _multiply(_s315, _s19, _r34), _r34), _r34), _r34), _s164, _r34), _r34)
-    _s317 = _multiply(_k63, _add(_multiply(bend_s, _s140, _r42), _multiply(bend_e, _s164, _r92), _r92), _r92)
-    _s318 = _multiply(_s192, _s317, _r115)
-    _s319 = _add(_add(_s316, _s318, _r34), _s279, _r34)
-    _s320 = _subtract(_multiply(_k73, _s16, _r14), _multiply(_s187, _s212, _r9), _r9)
-    _s321 = _add(_add(_multiply(_absolute(_multiply(bend_s, _s315, _r119), _r119), _s140, _r119), _multiply(_absolute(_negative(_multiply(_s216, _s320, _r14), _r14), _r14), _s164, _r14), _r14), _s318, _r14)
-    _s322 = _add(_s321, _s251, _r14)
-    _s323 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s314, _r119), _r119), _r119), _s140, _r119), _multiply(_absolute(_multiply(_s168, _s320, _r106), _r106), _s164, _r106), _r106), _s318, _r106)
-    _s324 = _add(_s323, _s207, _r106)
-    _s325 = _select(_s324 < _s322, _s322, _s324, _r115)
-    _s326 = _select(_s325 < _s319, _s319, _s325, _r119)
-    _s327 = _multiply(_k27, _add(_multiply(_k75, _subtract(_add(_add(_s319, _s322, _r42), _s324, _r42), _s326, _r42), _r42), _s326, _r42), _r42)
-    _s328 = _negative(_multiply(_s211, _s320, _r9), _r9)
-    _s329 = _multiply(_s211, _s314, _r16)
-    _s330 = _multiply(_s297, _s317, _r92)
-    _s331 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s328, _r82), _r82), _r82), _s140, _r82), _multiply(_absolute(_multiply(_multiply(bend_e, _s329, _r119), _s19, _r119), _r119), _s164, _r119), _r119), _s330, _r119)
-    _s332 = _add(_s331, _s305, _r119)
-    _s333 = _add(_add(_divide(_s251, p_ball_radius, _r82), _s313, _r82), _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s328, _r9), _s214, _r9), _r9), _r9), _s164, _r9), _r9)
-    _s334 = _add(_add(_s333, _s330, _r9), _s309, _r9)
-    _s335 = _add(_add(_add(_divide(_s279, p_ball_radius, _r82), _multiply(_s272, _s140, _r47), _r47), _multiply(_absolute(_negative(_multiply(_s216, _s329, _r16), _r16), _r16), _s164, _r16), _r16), _s330, _r16)
-    _s336 = _add(_s335, _s309, _r16)
-    _s337 = _select(_s332 < _s336, _s336, _s332, _r92)
-    _s338 = _select(_s337 < _s334, _s334, _s337, _r47)
-    _s339 = _multiply(_k27, _add(_multiply(_k75, _subtract(_add(_add(_s332, _s334, _r110), _s336, _r110), _s338, _r110), _r110), _s338, _r110), _r110)
-    _s340 = _multiply(_k76, _add(_add(_add(_add(_add(_s157, _s126, _r103), _multiply(_k77, _s183, _r113), _r113), _multiply(_k77, _s241, _r122), _r122), _multiply(_k77, _s271, _r101), _r101), _multiply(_k78, _s294, _r88), _r88), _r88)
-    _s341 = _add(_add(_add(_add(_add(_s163, _s139, _r101), _multiply(_k77, _s206, _r122), _r122), _multiply(_k77, _s250, _r101), _r101), _multiply(_k77, _s278, _r122), _r122), _multiply(_k78, _s304, _r101), _r101) <= _s340
-    return _result(_s63, _s62, _k30, _r0), _result(_s63, _s140, _k30, _r0), _result(_s63, _s164, _k30, _r0), _result(_s63, _s207, _k30, _r0), _result(_s63, _s251, _k30, _r0), _result(_s63, _s279, _k30, _r0), _result(_s63, _s305, _k30, _r0), _result(_s63, _s309, _k30, _r0), _result(_s63, _s312, _k30, _r0), _result(_s63, _s327, _k30, _r0), _result(_s63, _s339, _k30, _r0), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r110), _r110) + _select(_s63, _multiply(_k27, _s45, _r41), _k30, _r42), _s89, _s96, _s103, _s110, _s117, _s125, _s139, _s163, _s206, _s250, _s278, _s304, _s88, _s95, _s102, _s109, _s116, _s124, _s150, _s151, _s152, _s153, _s154, _s156, _s176, _s177, _s178, _s179, _s180, _s182, _s229, _s231, _s233, _s235, _s237, _s240, _s264, _s265, _s266, _s267, _s268, _s270, _s287, _s288, _s289, _s290, _s291, _s293, _result(_s341, _k66, _k29, _r0)
+    _s311 = _result(_s63, _multiply(_k27, _add(_multiply(_k75, _add(_add(_s164, _s140, _r19), _s62, _r19), _r19), _multiply(_k76, _select(_s310 < _s164, _s164, _s310, _r6), _r6), _r6), _r6), _k30, _r0)
+    _s312 = _multiply(_s159, _s140, _r6)
+    _s313 = _add(_multiply(_s187, _s256, _r119), _multiply(_k73, _s20, _r16), _r16)
+    _s314 = _negative(_multiply(p_restitution, normal_velocity, _r119), _r119)
+    _s315 = _add(_s312, _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s313, _r19), _multiply(_s314, _s19, _r42), _r42), _r42), _r42), _s164, _r42), _r42)
+    _s316 = _multiply(_k63, _add(_multiply(bend_s, _s140, _r19), _multiply(bend_e, _s164, _r34), _r34), _r34)
+    _s317 = _multiply(_s192, _s316, _r115)
+    _s318 = _add(_add(_s315, _s317, _r42), _s279, _r42)
+    _s319 = _subtract(_multiply(_k73, _s16, _r14), _multiply(_s187, _s212, _r9), _r9)
+    _s320 = _add(_add(_multiply(_absolute(_multiply(bend_s, _s314, _r119), _r119), _s140, _r119), _multiply(_absolute(_negative(_multiply(_s216, _s319, _r14), _r14), _r14), _s164, _r14), _r14), _s317, _r14)
+    _s321 = _add(_s320, _s251, _r14)
+    _s322 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s313, _r119), _r119), _r119), _s140, _r119), _multiply(_absolute(_multiply(_s168, _s319, _r106), _r106), _s164, _r106), _r106), _s317, _r106)
+    _s323 = _add(_s322, _s207, _r106)
+    _s324 = _select(_s323 < _s321, _s321, _s323, _r115)
+    _s325 = _result(_s63, _multiply(_k27, _add(_multiply(_k75, _add(_add(_s318, _s321, _r119), _s323, _r119), _r119), _multiply(_k76, _select(_s324 < _s318, _s318, _s324, _r19), _r19), _r19), _r19), _k30, _r0)
+    _s326 = _negative(_multiply(_s211, _s319, _r9), _r9)
+    _s327 = _multiply(_s211, _s313, _r16)
+    _s328 = _multiply(_s297, _s316, _r34)
+    _s329 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s326, _r82), _r82), _r82), _s140, _r82), _multiply(_absolute(_multiply(_multiply(bend_e, _s327, _r19), _s19, _r19), _r19), _s164, _r19), _r19), _s328, _r19)
+    _s330 = _add(_s329, _s305, _r19)
+    _s331 = _add(_add(_divide(_s251, p_ball_radius, _r82), _s312, _r82), _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s326, _r9), _s214, _r9), _r9), _r9), _s164, _r9), _r9)
+    _s332 = _add(_add(_s331, _s328, _r9), _s309, _r9)
+    _s333 = _add(_add(_add(_divide(_s279, p_ball_radius, _r82), _multiply(_s272, _s140, _r47), _r47), _multiply(_absolute(_negative(_multiply(_s216, _s327, _r16), _r16), _r16), _s164, _r16), _r16), _s328, _r16)
+    _s334 = _add(_s333, _s309, _r16)
+    _s335 = _select(_s330 < _s334, _s334, _s330, _r34)
+    _s336 = _result(_s63, _multiply(_k27, _add(_multiply(_k75, _add(_add(_s330, _s332, _r47), _s334, _r47), _r47), _multiply(_k76, _select(_s335 < _s332, _s332, _s335, _r110), _r110), _r110), _r110), _k30, _r0)
+    _s337 = _multiply(_k77, _add(_add(_add(_add(_add(_s157, _s126, _r103), _multiply(_k78, _s183, _r113), _r113), _multiply(_k78, _s241, _r122), _r122), _multiply(_k78, _s271, _r101), _r101), _multiply(_k79, _s294, _r88), _r88), _r88)
+    _s338 = _add(_add(_add(_add(_add(_s163, _s139, _r101), _multiply(_k78, _s206, _r122), _r122), _multiply(_k78, _s250, _r101), _r101), _multiply(_k78, _s278, _r122), _r122), _multiply(_k79, _s304, _r101), _r101) <= _s337
+    return _result(_s63, _s62, _k30, _r0), _result(_s63, _s140, _k30, _r0), _result(_s63, _s164, _k30, _r0), _result(_s63, _s207, _k30, _r0), _result(_s63, _s251, _k30, _r0), _result(_s63, _s279, _k30, _r0), _result(_s63, _s305, _k30, _r0), _result(_s63, _s309, _k30, _r0), _s311, _s325, _s336, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r35), _r35) + _select(_s63, _multiply(_k27, _s45, _r41), _k30, _r20), _s89, _s96, _s103, _s110, _s117, _s125, _s139, _s163, _s206, _s250, _s278, _s304, _s88, _s95, _s102, _s109, _s116, _s124, _s150, _s151, _s152, _s153, _s154, _s156, _s176, _s177, _s178, _s179, _s180, _s182, _s229, _s231, _s233, _s235, _s237, _s240, _s264, _s265, _s266, _s267, _s268, _s270, _s287, _s288, _s289, _s290, _s291, _s293, _result(_s338, _k66, _k29, _r0)
 
 
 def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, p_ball_radius: Any, p_restitution: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1876,9 +1875,9 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
     _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = 0.4 * p_ball_radius
     _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
-    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(_k90, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
-    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(_k90, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
-    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(_k90, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
+    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(_k92, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
+    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(_k92, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
+    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(_k92, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
     _s5 = _add(_add(_multiply(nx, wx, _r4), _multiply(ny, wy, _r5), _r5), _multiply(nz, wz, _r4), _r4)
     _s6 = 1.0 / p_ball_radius
     return _s2 - _multiply(_multiply(p_restitution, nx, _r5), _s1, _r5), _s3 - _multiply(_multiply(p_restitution, ny, _r5), _s1, _r5), _s4 - _multiply(_multiply(p_restitution, nz, _r5), _s1, _r5), _multiply(nx, _s5, _r5) + _multiply(_s6, _subtract(_multiply(ny, _s4, _r0), _multiply(nz, _s3, _r6), _r6), _r6), _multiply(ny, _s5, _r6) + _multiply(_s6, _subtract(_multiply(nz, _s2, _r5), _multiply(nx, _s4, _r3), _r3), _r3), _multiply(nz, _s5, _r4) + _multiply(_s6, _subtract(_multiply(nx, _s3, _r2), _multiply(ny, _s2, _r1), _r1), _r1)
@@ -1887,7 +1886,7 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
 def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, clock: Any, left_nx: Any, left_ny: Any, left_nz: Any, place_n: Any, place_s: Any, place_e: Any, pace_n: Any, pace_s: Any, pace_e: Any, turn_n: Any, turn_z: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any, tangent_x: Any, tangent_y: Any, bend_s: Any, bend_e: Any, left_ex: Any, left_ey: Any, left_bend_s: Any, left_bend_e: Any, sharpest_bend: Any, root_offset: Any, root_level: Any, normal_rounding: Any, normal_velocity: Any, back: Any, p_ball_radius: Any, p_restitution: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Bounds on errors after a contact, from those at the departure before it.
 
-    derivative of the frame-free Eq. 17, with roundings. 959 operations: 255 additions, 71 subtractions, 454 multiplications, 7 divisions, 40 negations, 93 absolute values, 14 comparisons, 25 selections.
+    derivative of the frame-free Eq. 17, with roundings. 959 operations: 255 additions, 68 subtractions, 457 multiplications, 7 divisions, 40 negations, 93 absolute values, 14 comparisons, 25 selections.
     """
     t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, left_nx, left_ny, left_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, p_ball_radius, p_restitution, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40, _r41, _r42, _r43, _r44, _r45, _r46, _r47, _r48, _r49, _r50, _r51, _r52, _r53, _r54, _r55, _r56, _r57, _r58, _r59, _r60, _r61, _r62, _r63, _r64, _r65, _r66, _r67, _r68, _r69, _r70, _r71, _r72, _r73, _r74, _r75, _r76, _r77, _r78 = _halves(_room[:79])
@@ -2094,36 +2093,33 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s200 = _select(_s184 < _s168, _s168, _s184, _r69)
     _s201 = _multiply(_k27, _add(_add(_s198, _add(_multiply(_s158, _select(_s199 < _s170, _s170, _s199, _r71), _r71), _select(_s200 < _s144, _s144, _s200, _r0), _r0), _r0), _s188, _r0), _r0)
     _s202 = _select(_s62 < _s89, _s89, _s62, _r42)
-    _s203 = _select(_s202 < _s104, _s104, _s202, _r33)
-    _s204 = _multiply(_k27, _add(_multiply(_k75, _subtract(_add(_add(_s62, _s104, _r69), _s89, _r69), _s203, _r69), _r69), _s203, _r69), _r69)
-    _s205 = _multiply(_s91, _s89, _r33)
-    _s206 = _add(_multiply(_s111, _s166, _r31), _multiply(_k73, _s20, _r16), _r16)
-    _s207 = _negative(_multiply(p_restitution, normal_velocity, _r31), _r31)
-    _s208 = _add(_s205, _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s206, _r42), _multiply(_s207, _s19, _r71), _r71), _r71), _r71), _s104, _r71), _r71)
-    _s209 = _multiply(_k63, _add(_multiply(bend_s, _s89, _r42), _multiply(bend_e, _s104, _r43), _r43), _r43)
-    _s210 = _multiply(_s116, _s209, _r74)
-    _s211 = _add(_add(_s208, _s210, _r71), _s181, _r71)
-    _s212 = _subtract(_multiply(_k73, _s16, _r14), _multiply(_s111, _s140, _r9), _r9)
-    _s213 = _add(_add(_multiply(_absolute(_multiply(bend_s, _s207, _r31), _r31), _s89, _r31), _multiply(_absolute(_negative(_multiply(_s146, _s212, _r14), _r14), _r14), _s104, _r14), _r14), _s210, _r14)
-    _s214 = _add(_s213, _s163, _r14)
-    _s215 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s206, _r31), _r31), _r31), _s89, _r31), _multiply(_absolute(_multiply(_s107, _s212, _r66), _r66), _s104, _r66), _r66), _s210, _r66)
-    _s216 = _add(_s215, _s138, _r66)
-    _s217 = _select(_s216 < _s214, _s214, _s216, _r74)
-    _s218 = _select(_s217 < _s211, _s211, _s217, _r31)
-    _s219 = _multiply(_k27, _add(_multiply(_k75, _subtract(_add(_add(_s211, _s214, _r42), _s216, _r42), _s218, _r42), _r42), _s218, _r42), _r42)
-    _s220 = _negative(_multiply(_s158, _s212, _r9), _r9)
-    _s221 = _multiply(_s158, _s206, _r16)
-    _s222 = _multiply(_s186, _s209, _r43)
-    _s223 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s220, _r45), _r45), _r45), _s89, _r45), _multiply(_absolute(_multiply(_multiply(bend_e, _s221, _r31), _s19, _r31), _r31), _s104, _r31), _r31), _s222, _r31)
-    _s224 = _add(_s223, _s197, _r31)
-    _s225 = _add(_add(_divide(_s163, p_ball_radius, _r45), _s205, _r45), _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s220, _r9), _s142, _r9), _r9), _r9), _s104, _r9), _r9)
-    _s226 = _add(_add(_s225, _s222, _r9), _s201, _r9)
-    _s227 = _add(_add(_add(_divide(_s181, p_ball_radius, _r45), _multiply(_s165, _s89, _r21), _r21), _multiply(_absolute(_negative(_multiply(_s146, _s221, _r16), _r16), _r16), _s104, _r16), _r16), _s222, _r16)
-    _s228 = _add(_s227, _s201, _r16)
-    _s229 = _select(_s224 < _s228, _s228, _s224, _r43)
-    _s230 = _select(_s229 < _s226, _s226, _s229, _r21)
-    _s231 = _multiply(_k27, _add(_multiply(_k75, _subtract(_add(_add(_s224, _s226, _r34), _s228, _r34), _s230, _r34), _r34), _s230, _r34), _r34)
-    return _result(_s63, _s62, _k30, _r0), _result(_s63, _s89, _k30, _r0), _result(_s63, _s104, _k30, _r0), _result(_s63, _s138, _k30, _r0), _result(_s63, _s163, _k30, _r0), _result(_s63, _s181, _k30, _r0), _result(_s63, _s197, _k30, _r0), _result(_s63, _s201, _k30, _r0), _result(_s63, _s204, _k30, _r0), _result(_s63, _s219, _k30, _r0), _result(_s63, _s231, _k30, _r0), nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r34), _r34) + _select(_s63, _multiply(_k27, _s45, _r41), _k30, _r42)
+    _s203 = _result(_s63, _multiply(_k27, _add(_multiply(_k75, _add(_add(_s62, _s104, _r33), _s89, _r33), _r33), _multiply(_k76, _select(_s202 < _s104, _s104, _s202, _r69), _r69), _r69), _r69), _k30, _r0)
+    _s204 = _multiply(_s91, _s89, _r69)
+    _s205 = _add(_multiply(_s111, _s166, _r31), _multiply(_k73, _s20, _r16), _r16)
+    _s206 = _negative(_multiply(p_restitution, normal_velocity, _r31), _r31)
+    _s207 = _add(_s204, _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s205, _r33), _multiply(_s206, _s19, _r42), _r42), _r42), _r42), _s104, _r42), _r42)
+    _s208 = _multiply(_k63, _add(_multiply(bend_s, _s89, _r33), _multiply(bend_e, _s104, _r71), _r71), _r71)
+    _s209 = _multiply(_s116, _s208, _r74)
+    _s210 = _add(_add(_s207, _s209, _r42), _s181, _r42)
+    _s211 = _subtract(_multiply(_k73, _s16, _r14), _multiply(_s111, _s140, _r9), _r9)
+    _s212 = _add(_add(_multiply(_absolute(_multiply(bend_s, _s206, _r31), _r31), _s89, _r31), _multiply(_absolute(_negative(_multiply(_s146, _s211, _r14), _r14), _r14), _s104, _r14), _r14), _s209, _r14)
+    _s213 = _add(_s212, _s163, _r14)
+    _s214 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s205, _r31), _r31), _r31), _s89, _r31), _multiply(_absolute(_multiply(_s107, _s211, _r66), _r66), _s104, _r66), _r66), _s209, _r66)
+    _s215 = _add(_s214, _s138, _r66)
+    _s216 = _select(_s215 < _s213, _s213, _s215, _r74)
+    _s217 = _result(_s63, _multiply(_k27, _add(_multiply(_k75, _add(_add(_s210, _s213, _r31), _s215, _r31), _r31), _multiply(_k76, _select(_s216 < _s210, _s210, _s216, _r33), _r33), _r33), _r33), _k30, _r0)
+    _s218 = _negative(_multiply(_s158, _s211, _r9), _r9)
+    _s219 = _multiply(_s158, _s205, _r16)
+    _s220 = _multiply(_s186, _s208, _r71)
+    _s221 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s218, _r45), _r45), _r45), _s89, _r45), _multiply(_absolute(_multiply(_multiply(bend_e, _s219, _r33), _s19, _r33), _r33), _s104, _r33), _r33), _s220, _r33)
+    _s222 = _add(_s221, _s197, _r33)
+    _s223 = _add(_add(_divide(_s163, p_ball_radius, _r45), _s204, _r45), _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s218, _r9), _s142, _r9), _r9), _r9), _s104, _r9), _r9)
+    _s224 = _add(_add(_s223, _s220, _r9), _s201, _r9)
+    _s225 = _add(_add(_add(_divide(_s181, p_ball_radius, _r45), _multiply(_s165, _s89, _r21), _r21), _multiply(_absolute(_negative(_multiply(_s146, _s219, _r16), _r16), _r16), _s104, _r16), _r16), _s220, _r16)
+    _s226 = _add(_s225, _s201, _r16)
+    _s227 = _select(_s222 < _s226, _s226, _s222, _r71)
+    _s228 = _result(_s63, _multiply(_k27, _add(_multiply(_k75, _add(_add(_s222, _s224, _r21), _s226, _r21), _r21), _multiply(_k76, _select(_s227 < _s224, _s224, _s227, _r34), _r34), _r34), _r34), _k30, _r0)
+    return _result(_s63, _s62, _k30, _r0), _result(_s63, _s89, _k30, _r0), _result(_s63, _s104, _k30, _r0), _result(_s63, _s138, _k30, _r0), _result(_s63, _s163, _k30, _r0), _result(_s63, _s181, _k30, _r0), _result(_s63, _s197, _k30, _r0), _result(_s63, _s201, _k30, _r0), _s203, _s217, _s228, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r0), _r0) + _select(_s63, _multiply(_k27, _s45, _r41), _k30, _r23)
 
 
 def vary_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, p_ball_radius: Any, p_restitution: Any, change_ball_radius: Any, change_restitution: Any) -> tuple[Any, ...]:
@@ -2241,18 +2237,18 @@ def ring_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx:
     _s19 = _add(_add(_multiply(_s18, _s13, _r2), _multiply(_s15, _absolute(_add(vz, _multiply(_s18, t, _r4), _r4), _r4), _r4), _r4), _absolute(z, _r2), _r2)
     _s20 = _add(_k24, _multiply(_k25, _s19, _r2), _r2)
     _s21 = _k36 * (p_ring_radius * _s3)
-    _s22 = _add(_divide(_multiply(_multiply(_k92, _s14, _r4), _add(_add(_s16, _s17, _r7), _s20, _r7), _r4), _s5, _r4), _multiply(_k35 * (_k93 + _s21), _s14, _r8), _r8)
-    _s23 = _multiply(_k94, _s22, _r4)
-    _s24 = _multiply(_k95, _multiply(_divide(_multiply(normal_velocity, normal_velocity, _r7), _add(_add(_multiply(vx, vx, _r9), _multiply(vy, vy, _r10), _r10), _multiply(vz, vz, _r9), _r9), _r9), _s2, _r9), _r9)
+    _s22 = _add(_divide(_multiply(_multiply(_k94, _s14, _r4), _add(_add(_s16, _s17, _r7), _s20, _r7), _r4), _s5, _r4), _multiply(_k35 * (_k95 + _s21), _s14, _r8), _r8)
+    _s23 = _multiply(_k96, _s22, _r4)
+    _s24 = _multiply(_k97, _multiply(_divide(_multiply(normal_velocity, normal_velocity, _r7), _add(_add(_multiply(vx, vx, _r9), _multiply(vy, vy, _r10), _r10), _multiply(vz, vz, _r9), _r9), _r9), _s2, _r9), _r9)
     _s25 = _add(_add(_s12, _s22, _r8), _select(_s23 < _s24, _s24, _s23, _r7), _r7)
-    _s26 = _add(_multiply(_k25, _add(_k96 * _s2, _multiply(_k22, _s0, _r1), _r1), _r1), _add(_add(_multiply(_absolute(nx, _r4), _s16, _r4), _multiply(_absolute(ny, _r5), _s17, _r5), _r5), _multiply(_absolute(nz, _r4), _s20, _r4), _r4), _r4)
-    _s27 = _multiply(_k94, _s26, _r1)
+    _s26 = _add(_multiply(_k25, _add(_k98 * _s2, _multiply(_k22, _s0, _r1), _r1), _r1), _add(_add(_multiply(_absolute(nx, _r4), _s16, _r4), _multiply(_absolute(ny, _r5), _s17, _r5), _r5), _multiply(_absolute(nz, _r4), _s20, _r4), _r4), _r4)
+    _s27 = _multiply(_k96, _s26, _r1)
     _s28 = _add(_add(_s12, _s26, _r4), _select(_s27 < _s24, _s24, _s27, _r6), _r6)
     _s29 = _add(place_n, _s28, _r1)
     _s30 = _multiply(_k72, _divide(_s11, _s5, _r0), _r0) <= _k66
     _s31 = _k29 < back
     _s32 = _add(place_n, _s25, _r0)
-    return -_multiply(y, _s1, _r4), x * _s1, _s3, _s1, _k74 / _s5, _result(_s31, _select(_s30, _s25, _select(_s25 < _s29, _s29, _s25, _r4), _r9), _s28, _r0), _result(_s31, _select(_s30, _s32, _select(_s32 < _s28, _s28, _s32, _r9), _r4), _s28, _r0), _k35 * (_k97 + _s21)
+    return -_multiply(y, _s1, _r4), x * _s1, _s3, _s1, _k74 / _s5, _result(_s31, _select(_s30, _s25, _select(_s25 < _s29, _s29, _s25, _r4), _r9), _s28, _r0), _result(_s31, _select(_s30, _s32, _select(_s32 < _s28, _s28, _s32, _r9), _r4), _s28, _r0), _k35 * (_k99 + _s21)
 
 
 def ring_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any) -> tuple[Any, ...]:
@@ -2336,7 +2332,7 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s32 = _add(x, _multiply(vx, horizon, _r7), _r7)
     _s33 = _add(y, _multiply(vy, horizon, _r8), _r8)
     _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k7, _k45, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k7, _k45, _k7, _r8), _r15)
-    _s35 = _select(_subtract(_multiply(_multiply(_k103, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k46, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k7, _s34, _k7, _r7)
+    _s35 = _select(_subtract(_multiply(_multiply(_k105, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k46, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k7, _s34, _k7, _r7)
     _s36 = _select(horizon < _subtract(_s11, _multiply(_k60, horizon, _r10), _r10), _k45, _select(_k7 < _s20, _select(_k7 < _s30, _s35, _k7, _r12), _k7, _r13), _r10)
     _s37 = _add(_multiply(x, vx, _r4), _multiply(y, vy, _r9), _r9)
     _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
@@ -2361,7 +2357,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s7 = p_ball_radius + p_wire_radius
     _s8 = 1.00006103515625 * _s7
     _s9 = 2.0 * p_gravity
-    _s10 = _multiply(_k109, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
+    _s10 = _multiply(_k111, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
     _s11 = _add(_add(_s0, _multiply(_s9, _add(z, _s8, _r6), _r6), _r6), _s10, _r6)
     _s12 = 1.0 / p_gravity
     _s13 = _sqrt(_s11, _r7)
@@ -2377,20 +2373,20 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s23 = _multiply(_k47, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
     _s24 = _divide(_k45, _s1, _r14)
     _s25 = _k7 <= _s20
-    _s26 = _k110 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k111, _r16)
+    _s26 = _k112 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k113, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
     _s33 = _sqrt(_select(_s32 < _k7, _k7, _s32, _r1), _r1)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k111, _r10), _k8, _r18)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k113, _r10), _k8, _r18)
     _s35 = _k7 < _select(_s26, _s32, _k7, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
     _s38 = _sqrt(_select(_s37 < _k7, _k7, _s37, _r4), _r4)
-    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k111, _r0)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k113, _r0)
     _s40 = _k7 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
@@ -2433,9 +2429,9 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s8 = 0.0001220703125 * p_ring_radius
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
-    _s11 = _multiply(_k115, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k116, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = _k14 * _add(_add(_multiply(_multiply(_k117, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
-    return _k14 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k14 * _add(_multiply(_k117, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+    _s11 = _multiply(_k117, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k118, _s1, _r5), _r5), _r5), _r5), _r5)
+    _s12 = _k14 * _add(_add(_multiply(_multiply(_k119, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
+    return _k14 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k14 * _add(_multiply(_k119, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2491,7 +2487,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s23 = _subtract(_add(_s16, _s17, _r8), energy2, _r8)
     _s24 = _s20 < _k7
     _s25 = _multiply(_k46, _s22, _r10)
-    _s26 = _select(_k7 < _select(_k7 <= _s20, _s22, _k7, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k103, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k7 < _s23, _s23, _k7, _r14), _r15), _r12), _r11)
+    _s26 = _select(_k7 < _select(_k7 <= _s20, _s22, _k7, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k105, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k7 < _s23, _s23, _k7, _r14), _r15), _r12), _r11)
     _s27 = _subtract(end, t, _r15)
     _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
     _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k7, _k7, _s13, _r8), _r8), _s8, _r8), _r8)
@@ -2502,7 +2498,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s34 = _where(_s32 < _s33, _s33, _s32)
     _s35 = _divide(_k45, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
     _s36 = _multiply(moment2, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
-    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k123, _add(_add(_s36, _absolute(energy2, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), energy2, _r6)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k125, _add(_add(_s36, _absolute(energy2, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), energy2, _r6)
     _s38 = _add(_multiply(_multiply(_k46, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
     _s39 = _sqrt(_s38, _r3)
     _s40 = _select(_k7 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k7 < _s37, _s37, _k7, _r5), _r1), _r7), _k8, _r9)
@@ -2519,9 +2515,9 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = _k125 * (p_ball_radius + p_wire_radius)
+    _s1 = _k127 * (p_ball_radius + p_wire_radius)
     _s2 = _k36 * p_gravity
-    _s3 = _multiply(_k126, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s3 = _multiply(_k128, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
     _s5 = _k74 / p_gravity
     _s6 = _sqrt(_s4, _r3)
@@ -2540,26 +2536,26 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s19 = _multiply(_k68, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
     _s20 = _divide(_k66, _s10, _r13)
     _s21 = _k29 <= _s16
-    _s22 = _k127 < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k30, _r14), _k128, _r15)
+    _s22 = _k129 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k30, _r14), _k130, _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
     _s25 = _select(_k29 < _s24, _s24, _k29, _r17)
     _s26 = _select(_k29 < _s25, _s25, _k29, _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = _k129 * p_ring_radius
+    _s28 = _k131 * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
     _s31 = _sqrt(_select(_s30 < _k29, _k29, _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k128, _r6), _k30, _r19)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k130, _r6), _k30, _r19)
     _s33 = _k29 < _select(_s22, _s30, _k29, _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
     _s36 = _sqrt(_select(_s35 < _k29, _k29, _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k128, _r0)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k130, _r0)
     _s38 = _k29 < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(_k130, horizon, _r24)
+    _s41 = _multiply(_k132, horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
     _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k30, _r13)
@@ -2584,8 +2580,8 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s63 = _select(_k29 < _s40, _s40, _k29, _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k131 * _s29)), (_s11 <= ((_k131 * p_ball_radius) + (_k131 * p_wire_radius)))), (_s11 <= _k132)), (_k133 <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k29, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k29, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k132)), (_k133 <= p_gravity)), (extent <= _k134)), (speed <= _k134))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k133 * _s29)), (_s11 <= ((_k133 * p_ball_radius) + (_k133 * p_wire_radius)))), (_s11 <= _k134)), (_k135 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k29, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k29, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k134)), (_k135 <= p_gravity)), (extent <= _k136)), (speed <= _k136))
 
 
 def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2598,30 +2594,30 @@ def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any
     _s0 = _k29 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k125 * _s2
+    _s3 = _k127 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k129 * p_ring_radius
+    _s5 = _k131 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
     _s8 = _where(_k74 < _s7, _s7, _k74)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(_k139, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_k140, start_rate, _r3), _s11, _r3)
-    _s13 = _select(_s12 < _k141, _s12, _k141, _r5)
-    _s14 = _result(_s0, _select(_k142 < _s13, _s13, _k142, _r6), _k141, _r0)
-    _s15 = _add(_multiply(_k22, _multiply(vz, vz, _r7), _r7), _multiply(_k85 * p_gravity, z, _r8), _r8) + _multiply(_k22, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_k141, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_k142, start_rate, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _k143, _s12, _k143, _r5)
+    _s14 = _result(_s0, _select(_k144 < _s13, _s13, _k144, _r6), _k143, _r0)
+    _s15 = _add(_multiply(_k22, _multiply(vz, vz, _r7), _r7), _multiply(_k86 * p_gravity, z, _r8), _r8) + _multiply(_k22, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s17 = (_k36 * p_ring_radius) * _multiply(_s16, _s16, _r8)
     _s18 = _k74 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((_k143 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_k145 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
     _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k68, _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(_k144, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _k37, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k27 * _s20, (_k145 * _s2) * _s24, _result(_s0, _multiply(_k27, _add(_multiply(_k126, _absolute(start_rate, _r12), _r12), _multiply(_add(_k146, _s14, _r2), _s11, _r2), _r2), _r2), _k30, _r0), _k27 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k80 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k139 * _add(_multiply(_multiply(_k27, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k147, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k148 * p_ball_radius) + (_k148 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k29))
+    _s25 = _divide(_multiply(_k146, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _k37, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k27 * _s20, (_k147 * _s2) * _s24, _result(_s0, _multiply(_k27, _add(_multiply(_k128, _absolute(start_rate, _r12), _r12), _multiply(_add(_k148, _s14, _r2), _s11, _r2), _r2), _r2), _k30, _r0), _k27 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k81 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k141 * _add(_multiply(_multiply(_k27, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k149, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k150 * p_ball_radius) + (_k150 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k29))
 
 
 def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2661,32 +2657,32 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s27 = _select(_s26 < _k29, _k29, _s26, _r15)
     _s28 = _multiply(_k22, _add(_s27, _multiply(_k22, _s25, _r12), _r12), _r12)
     _s29 = _subtract(_s22, _s5, _r2)
-    _s30 = _k155 * p_gravity
+    _s30 = _k157 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(moment2, _multiply(_s17, _multiply(_s17, _s17, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), energy2, _r17)
     _s34 = _s29 < _k29
     _s35 = _multiply(_k22, _s27, _r18)
-    _s36 = _select(_k29 < _select(_k29 <= _s29, _s27, _k29, _r19), _k30, _divide(_select(_s34, _add(_s35, _multiply(_k156, _s25, _r19), _r19), _multiply(_k72, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k29 < _s33, _s33, _k29, _r23), _r24), _r21), _r20)
+    _s36 = _select(_k29 < _select(_k29 <= _s29, _s27, _k29, _r19), _k30, _divide(_select(_s34, _add(_s35, _multiply(_k158, _s25, _r19), _r19), _multiply(_k72, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k29 < _s33, _s33, _k29, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _k125 * _s24
-    _s40 = _add((_k129 * p_ball_radius) + (_k129 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k29, _k29, _s21, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k127 * _s24
+    _s40 = _add((_k131 * p_ball_radius) + (_k131 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k29, _k29, _s21, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k29 < _s18, _k29, _s18, _r23), _r23), _s9, _r23), _multiply(_k157, _s42, _r7), _r7), _k83 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k29 < _s18, _k29, _s18, _r23), _r23), _s9, _r23), _multiply(_k159, _s42, _r7), _r7), _k84 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = _k129 * p_ring_radius
+    _s45 = _k131 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
     _s47 = _divide(_k66, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(moment2, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(energy2, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k158, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k160, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
     _s51 = _negative(_s21, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k133 * p_ball_radius) + (_k133 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k29, _k29, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k159, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(energy2, _add(_s52, _multiply(_k160, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k135 * p_ball_radius) + (_k135 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k29, _k29, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k161, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(energy2, _add(_s52, _multiply(_k162, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
-    _s55 = _select(_k29 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k156, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
+    _s55 = _select(_k29 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k158, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
     _s56 = _k29 < _s55
     _s57 = _add(_multiply(_multiply(_k22, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
@@ -2870,7 +2866,7 @@ def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any,
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k169, _s0, _r1), _r1) + _multiply(_k170, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k171, _s0, _r1), _r1) + _multiply(_k172, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def backboard_place(y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
@@ -2980,7 +2976,7 @@ def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, ve
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k169, _s0, _r1), _r1) + _multiply(_k170, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k171, _s0, _r1), _r1) + _multiply(_k172, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def bridge_place(x: Any, y: Any, p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -3082,7 +3078,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k169, _s0, _r1), _r1) + _multiply(_k170, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k171, _s0, _r1), _r1) + _multiply(_k172, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -3505,9 +3501,9 @@ def _ring_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, positi
     _s0 = speed + (p_gravity * horizon)
     _s1 = horizon * _s0
     _s2 = (position_error + (horizon * velocity_error)) - (share * (_s1 + (extent + _s1)))
-    _s3 = _k101 * (p_ball_radius + p_wire_radius)
+    _s3 = _k103 * (p_ball_radius + p_wire_radius)
     _s4 = p_ring_radius - _s3
-    _s5 = _k102 * p_ring_radius
+    _s5 = _k104 * p_ring_radius
     _s6 = _s3 / (_s5 if _s4 < _s5 else _s4)
     _s7 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * _s2) + (_s3 * (velocity_error - (share * _s0)))
     return _s7 if _s2 < _s7 else _s2,
@@ -3522,9 +3518,9 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s5 = (_k48 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = _k101 * _s7
+    _s8 = _k103 * _s7
     _s9 = _k48 * p_gravity
-    _s10 = _k112 * (_s0 + (_s9 * (abs(z) + _s8)))
+    _s10 = _k114 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
     _s12 = _k1 / p_gravity
     _s13 = _root(_s11)
@@ -3540,20 +3536,20 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s23 = _k50 * ((abs(_s21) + abs(_s3)) + _s22)
     _s24 = _k1 / _s1
     _s25 = _k2 <= _s20
-    _s26 = _k113 < _s1
-    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k114
+    _s26 = _k115 < _s1
+    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k116
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = _k102 * p_ring_radius
+    _s30 = _k104 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k114) if _s26 else _k10
+    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k116) if _s26 else _k10
     _s35 = _k2 < (_s32 if _s26 else _k2)
     _s36 = (((_s23 - _s21) - _s33) * _s24) if _s35 else _s34
     _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
     _s38 = _root((_k2 if _s37 < _k2 else _s37))
-    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k114
+    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k116
     _s40 = _k2 < _s37
     _s41 = (_s12 * ((vz + _s14) - _s38)) if _s40 else _s39
     _s42 = _s36 if _s36 < _s41 else _s41
@@ -3572,28 +3568,28 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (_k104 * p_ring_radius) - (p_ring_radius - _s7)
+    _s58 = (_k106 * p_ring_radius) - (p_ring_radius - _s7)
     _s59 = _root(_k48) * _root((_s12 * (((_k48 * p_ball_radius) + (_k48 * p_wire_radius)) + extent)))
     _s60 = _s59 + ((_k48 * speed) * _s12)
-    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k105 * p_ball_radius)) - (_k105 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k108 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
+    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k107 * p_ball_radius)) - (_k107 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k110 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = _k101 * _s0
+    _s2 = _k103 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (_k21 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = _k102 * p_ring_radius
+    _s8 = _k104 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
     _s10 = _s9 if _k1 < _s9 else _k1
-    _s11 = _k121 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k122 * _s1))))
-    _s12 = _k18 * ((((_k120 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
-    return _k18 * ((((_k21 * horizon) * _s3) + ((_k118 * _s0) * _s4)) + ((_k119 * _s0) * _s6)), _s12, _k18 * ((_k120 * (_s4 * _s1)) + _s11)
+    _s11 = _k123 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k124 * _s1))))
+    _s12 = _k18 * ((((_k122 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
+    return _k18 * ((((_k21 * horizon) * _s3) + ((_k120 * _s0) * _s4)) + ((_k121 * _s0) * _s6)), _s12, _k18 * ((_k122 * (_s4 * _s1)) + _s11)
 
 
 def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3631,8 +3627,8 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s15 = _k9 * p_gravity
     _s16 = _s15 * _s8
     _s17 = moment2 * (_s11 * (_s11 * _s11))
-    _s18 = _k101 * _s9
-    _s19 = _k124 * (p_ring_radius + _s18)
+    _s18 = _k103 * _s9
+    _s19 = _k126 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
     _s22 = _k2 if _s21 < _k2 else _s21
@@ -3646,11 +3642,11 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
     _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = _k102 * p_ring_radius
+    _s33 = _k104 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = moment2 * (_s35 * (_s35 * _s35))
-    _s37 = ((_s30 + _s36) + (_k124 * ((_s36 + abs(energy2)) + abs(_s30)))) - energy2
+    _s37 = ((_s30 + _s36) + (_k126 * ((_s36 + abs(energy2)) + abs(_s30)))) - energy2
     _s38 = ((_k48 * _s37) * _s22) + (_s20 * _s20)
     _s39 = _root(_s38)
     _s40 = ((_s25 if _s24 else (_s20 + _s39)) / ((_s39 - _s20) if _s24 else (_s37 if _k2 < _s37 else _k2))) if (_k2 <= _s38) else _k10
@@ -3661,47 +3657,47 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
 
 def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = vz * vz
-    _s1 = _k125 * (p_ball_radius + p_wire_radius)
+    _s1 = _k127 * (p_ball_radius + p_wire_radius)
     _s2 = _k36 * p_gravity
-    _s3 = _k135 * (_s0 + (_s2 * (abs(z) + _s1)))
+    _s3 = _k137 * (_s0 + (_s2 * (abs(z) + _s1)))
     _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
     _s5 = _k74 / p_gravity
     _s6 = _root(_s4)
-    _s7 = _k83 * (abs(vz) + _s6)
+    _s7 = _k84 * (abs(vz) + _s6)
     _s8 = _k37 <= _s4
     _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k39
     _s10 = (vx * vx) + (vy * vy)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = (_k83 * _s10) * (_s12 + ((x * x) + (y * y)))
+    _s13 = (_k84 * _s10) * (_s12 + ((x * x) + (y * y)))
     _s14 = (x * vy) - (y * vx)
     _s15 = _s14 * _s14
     _s16 = ((_s12 * _s10) + _s13) - _s15
     _s17 = (x * vx) + (y * vy)
     _s18 = _root(_s16)
-    _s19 = _k83 * ((abs(_s17) + abs(_s14)) + _s18)
+    _s19 = _k84 * ((abs(_s17) + abs(_s14)) + _s18)
     _s20 = _k74 / _s10
     _s21 = _k37 <= _s16
-    _s22 = _k136 < _s10
-    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k39) if _s22 else _k137
+    _s22 = _k138 < _s10
+    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k39) if _s22 else _k139
     _s24 = _s23 if _s9 < _s23 else _s9
     _s25 = _s24 if _k37 < _s24 else _k37
     _s26 = _s25 if _k37 < _s25 else _k37
     _s27 = p_ring_radius - _s1
-    _s28 = _k129 * p_ring_radius
+    _s28 = _k131 * p_ring_radius
     _s29 = _s28 if _s27 < _s28 else _s27
     _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15
     _s31 = _root((_k37 if _s30 < _k37 else _s30))
-    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k137) if _s22 else _k39
+    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k139) if _s22 else _k39
     _s33 = _k37 < (_s30 if _s22 else _k37)
     _s34 = (((_s19 - _s17) - _s31) * _s20) if _s33 else _s32
     _s35 = (_s0 + (_s2 * (z - _s1))) - _s3
     _s36 = _root((_k37 if _s35 < _k37 else _s35))
-    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k137
+    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k139
     _s38 = _k37 < _s35
     _s39 = (_s5 * ((vz + _s7) - _s36)) if _s38 else _s37
     _s40 = _s34 if _s34 < _s39 else _s39
-    _s41 = _k138 * horizon
+    _s41 = _k140 * horizon
     _s42 = _s40 if _s40 < _s41 else _s41
     _s43 = _s26 < _s42
     _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k39
@@ -3726,38 +3722,38 @@ def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, v
     _s63 = _s40 if _k37 < _s40 else _k37
     _s64 = _s54 if _s63 < _s54 else _s63
     _s65 = _s60 if _s64 < _s60 else _s64
-    _s66 = (((_s11 <= (_k131 * _s29)) and (_s11 <= ((_k131 * p_ball_radius) + (_k131 * p_wire_radius)))) and (_s11 <= _k132)) and (_k133 <= _s29)
-    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k37)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k37)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k132)) and (_k133 <= p_gravity)) and (extent <= _k132)) and (speed <= _k132)
+    _s66 = (((_s11 <= (_k133 * _s29)) and (_s11 <= ((_k133 * p_ball_radius) + (_k133 * p_wire_radius)))) and (_s11 <= _k134)) and (_k135 <= _s29)
+    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k37)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k37)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k134)) and (_k135 <= p_gravity)) and (extent <= _k134)) and (speed <= _k134)
 
 
 def _ring_resolution_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = _k37 < leaving
     _s1 = speed + (p_gravity * horizon)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k125 * _s2
+    _s3 = _k127 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k129 * p_ring_radius
+    _s5 = _k131 * p_ring_radius
     _s6 = _s5 if _s4 < _s5 else _s4
     _s7 = _s2 / _s6
     _s8 = _s7 if _k74 < _s7 else _k74
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
-    _s11 = _k151 * ((_s9 * _s10) + (_s2 * _s1))
-    _s12 = (_k150 * start_rate) / _s11
-    _s13 = _s12 if _s12 < _k152 else _k152
-    _s14 = (_s13 if _k149 < _s13 else _k149) if _s0 else _k152
-    _s15 = ((_k36 * (vz * vz)) + ((_k85 * p_gravity) * z)) + (_k36 * ((vx * vx) + (vy * vy)))
+    _s11 = _k153 * ((_s9 * _s10) + (_s2 * _s1))
+    _s12 = (_k152 * start_rate) / _s11
+    _s13 = _s12 if _s12 < _k154 else _k154
+    _s14 = (_s13 if _k151 < _s13 else _k151) if _s0 else _k154
+    _s15 = ((_k36 * (vz * vz)) + ((_k86 * p_gravity) * z)) + (_k36 * ((vx * vx) + (vy * vy)))
     _s16 = (x * vy) - (y * vx)
     _s17 = (_k36 * p_ring_radius) * (_s16 * _s16)
     _s18 = _k74 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = (((_k143 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
+    _s20 = (((_k145 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
     _s21 = horizon - t
     _s22 = p_gravity * (_s21 * _s21)
     _s23 = p_ring_radius + _s3
-    _s24 = (_s10 * _s14) + (_k83 * (_s22 + _s23))
+    _s24 = (_s10 * _s14) + (_k84 * (_s22 + _s23))
     _s25 = (_k23 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
-    return _s14, _k37, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k38 * _s20, (_k145 * _s2) * _s24, (_k38 * ((_k135 * abs(start_rate)) + ((_k153 + _s14) * _s11))) if _s0 else _k39, _k38 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k80 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k151 * (((_k38 * _s9) * _s24) + (((_k154 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k148 * p_ball_radius) + (_k148 * p_wire_radius))) and ((t * leaving) <= _k37)
+    return _s14, _k37, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k38 * _s20, (_k147 * _s2) * _s24, (_k38 * ((_k137 * abs(start_rate)) + ((_k155 + _s14) * _s11))) if _s0 else _k39, _k38 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k81 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k153 * (((_k38 * _s9) * _s24) + (((_k156 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k150 * p_ball_radius) + (_k150 * p_wire_radius))) and ((t * leaving) <= _k37)
 
 
 def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3791,32 +3787,32 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s27 = _k37 if _s26 < _k37 else _s26
     _s28 = _k36 * (_s27 + (_k36 * _s25))
     _s29 = _s22 - _s5
-    _s30 = _k155 * p_gravity
+    _s30 = _k157 * p_gravity
     _s31 = _s30 * _s20
     _s32 = moment2 * (_s17 * (_s17 * _s17))
     _s33 = (_s31 + _s32) - energy2
     _s34 = _s29 < _k37
     _s35 = _k36 * _s27
-    _s36 = _k39 if (_k37 < (_s27 if (_k37 <= _s29) else _k37)) else (((_s35 + (_k161 * _s25)) if _s34 else (_k85 * _s29)) / ((-_s29) if _s34 else (_s33 if _k37 < _s33 else _k37)))
+    _s36 = _k39 if (_k37 < (_s27 if (_k37 <= _s29) else _k37)) else (((_s35 + (_k163 * _s25)) if _s34 else (_k86 * _s29)) / ((-_s29) if _s34 else (_s33 if _k37 < _s33 else _k37)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
-    _s39 = _k125 * _s24
-    _s40 = ((_k129 * p_ball_radius) + (_k129 * p_wire_radius)) + ((_s38 * (_k37 if _s21 < _k37 else _s21)) + _s20)
+    _s39 = _k127 * _s24
+    _s40 = ((_k131 * p_ball_radius) + (_k131 * p_wire_radius)) + ((_s38 * (_k37 if _s21 < _k37 else _s21)) + _s20)
     _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
     _s42 = (abs(vx) + abs(vy)) * _s38
-    _s43 = (((_s38 * (_k37 if _k37 < _s18 else _s18)) + _s9) - (_k129 * _s42)) - (_k83 * (p_ring_radius + _s39))
+    _s43 = (((_s38 * (_k37 if _k37 < _s18 else _s18)) + _s9) - (_k131 * _s42)) - (_k84 * (p_ring_radius + _s39))
     _s44 = p_ring_radius - _s39
-    _s45 = _k129 * p_ring_radius
+    _s45 = _k131 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
     _s47 = _k74 / (_s46 if _s43 < _s46 else _s43)
     _s48 = moment2 * (_s47 * (_s47 * _s47))
     _s49 = abs(energy2)
-    _s50 = ((_s41 + _s48) + (_k162 * ((_s48 + _s49) + abs(_s41)))) - energy2
+    _s50 = ((_s41 + _s48) + (_k164 * ((_s48 + _s49) + abs(_s41)))) - energy2
     _s51 = -_s21
-    _s52 = (_s30 * (((_k133 * p_ball_radius) + (_k133 * p_wire_radius)) + (((p_gravity * _s38) + (_k37 if _s51 < _k37 else _s51)) * _s38))) + ((_k163 * (_s32 * _s17)) * _s42)
-    _s53 = energy2 + (_s52 + (_k133 * ((_s49 + abs(_s31)) + _s32)))
+    _s52 = (_s30 * (((_k135 * p_ball_radius) + (_k135 * p_wire_radius)) + (((p_gravity * _s38) + (_k37 if _s51 < _k37 else _s51)) * _s38))) + ((_k165 * (_s32 * _s17)) * _s42)
+    _s53 = energy2 + (_s52 + (_k135 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
-    _s55 = ((_s23 * _s23) - ((_k161 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k37 < _s23) else _s23
+    _s55 = ((_s23 * _s23) - ((_k163 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k37 < _s23) else _s23
     _s56 = _k37 < _s55
     _s57 = ((_k36 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
@@ -3842,10 +3838,10 @@ def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_rin
 def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = speed + (p_gravity * horizon)
     _s1 = share * (extent + (horizon * _s0))
-    _s2 = _k101 * (p_ball_radius + p_wire_radius)
-    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k164 * (p_ring_radius + _s2))
+    _s2 = _k103 * (p_ball_radius + p_wire_radius)
+    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k166 * (p_ring_radius + _s2))
     _s4 = p_ring_radius - _s2
-    _s5 = _k102 * p_ring_radius
+    _s5 = _k104 * p_ring_radius
     _s6 = _s2 / (_s5 if _s4 < _s5 else _s4)
     _s7 = (position_error + ((_k0 * horizon) * velocity_error)) - _s1
     _s8 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * (_s3 if _s7 < _s3 else _s7)) + (_s2 * (velocity_error - (share * _s0)))
@@ -3853,11 +3849,11 @@ def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any,
 
 
 def _ring_budget_exceeded_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    _s0 = (_k104 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s0 = (_k106 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = _k1 / p_gravity
     _s2 = _root(_k48) * _root((_s1 * (((_k48 * p_ball_radius) + (_k48 * p_wire_radius)) + extent)))
     _s3 = _s2 + ((_k48 * speed) * _s1)
-    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k105 * p_ball_radius)) - (_k105 * p_wire_radius)
+    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k107 * p_ball_radius)) - (_k107 * p_wire_radius)
     return _s4 if _s0 < _s4 else _s0,
 
 

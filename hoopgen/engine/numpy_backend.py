@@ -66,6 +66,8 @@ def run(
     time_limit: float = np.inf,
     first: int = 0,
     last: SharedTail | None = None,
+    *,
+    tightening: bool | None = None,
 ) -> None:
     """Simulate shots and write what `out` has room for.
 
@@ -87,13 +89,16 @@ def run(
         The row of `out` that the first shot has.
     last
         Shared by runs of other parts of the same shots into the same `out`, without a log.
+    tightening
+        Whether bounds on errors are tightened; None: as in all engines, for the shots that end
+        uncertain without, and are not capped.
     """
     if out.event_counts is not None:
         out.event_counts[:] = 0
     job = {
         "most_contacts": float(max_contacts),
         "time_limit": time_limit,
-        "tightening": 0.0,
+        "tightening": float(tightening is True),
         **_switches(kernels, out),
     }
     last = last or SharedTail(1, len(states))
@@ -101,7 +106,8 @@ def run(
     inputs, most = Inputs(states, parameters, leaving, first), min(last.shots, BLOCK_SIZE)
     flights = Flights(kernels, bounds, job, inputs, most)
     with np.errstate(all="ignore"):
-        if not _simulate(kernels, flights, None, out, stopped, last) or not flights.loose:
+        done = _simulate(kernels, flights, None, out, stopped, last)
+        if not done or tightening is not None or not flights.loose:
             return
         loose = np.sort(np.concatenate(flights.loose))
         wanted = {name: own for name, own in out.arrays.items() if need_bounds(kernels, [name])}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -22,20 +21,11 @@ SHOTS = {family.key: family.make(4000 if family.key == "W4" else 500)[0] for fam
 STATES = np.concatenate([SHOTS[key] for key in ("W2", "W4", "grazing", "seam", "rim")])
 
 
-class WithoutReview(ModuleType):
-    """The generated module without the stage that finds the shots."""
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("review"):
-            raise AttributeError(name)
-        return getattr(hoop, name)
-
-
 def once(states: np.ndarray[Any, Any]) -> ResultArrays:
     """Return all results of shots that are simulated once."""
     out = HOOP.layout.allocate(len(states), PATH + BOUNDS)
     usual = [float(PAPER[name]) for name in hoop.PARAMETERS]
-    numpy_backend.run(WithoutReview("hoop"), states, usual, None, 40, out)
+    numpy_backend.run(hoop, states, usual, None, 40, out, tightening=False)
     return out
 
 
