@@ -20,8 +20,8 @@ from hoopgen.derive.scenes import HOOP
 pytest.importorskip("flint")
 
 from tests.derive.errors import test_contact_frames as lemma
-from tests.helpers.checked_faults import OfKernels, Planted, passing, tripping
-from tests.helpers.mutants import Patch, in_text
+from tests.helpers.checked_faults import OfEngine, OfKernels, Planted, passing, tripping
+from tests.helpers.mutants import Patch, in_decisions, in_text
 
 pytestmark = [pytest.mark.xdist_group("frame_mutations")]
 
@@ -246,6 +246,11 @@ FAULTS = (
         "the derivative leaves nothing out",
         in_rest("place = barrier(size * belated + drift)", "place = sp.Integer(0)"),
         of_large,
+    ),
+    Planted(
+        "a shot whose bounds are infinite goes on as if they were not",
+        in_decisions(following, 'Choose(Boolean("unbounded"), 1, uncertain)', "uncertain"),
+        OfEngine(lemma.check_infinite_bounds, scene=HOOP),
     ),
     Planted("a slow contact is proved", in_rest(CONDITION, "sp.Integer(-1)"), unproved),
     Planted(

@@ -27,6 +27,7 @@ import hoopgen
 from benchmarks.workloads import WORKLOADS
 from hoopgen import PAPER, Outcome
 from hoopgen.engine.numpy_flights import Room
+from hoopgen.simulation.engine import Engine
 from tests.helpers import exact_contacts as exact
 from tests.helpers.effort import trials
 from tests.helpers.exact_contacts import BOARD, BRIDGE, END, EXACT, RING, Exact, Floats
@@ -696,13 +697,21 @@ def test_where_the_lemma_does_not_hold_bounds_are_infinite_and_what_follows_is_u
 FIELDS = ("outcome", "state", "state_error", "uncertain")
 
 
-def grazes() -> Floats:
-    """Return releases of balls that hardly touch the ring, (n, 9)."""
-    random, rows = np.random.default_rng(9), 40
+def grazes(rows: int = 40, speeds: tuple[float, float] = (-9, -7)) -> Floats:
+    """Return releases of balls that hardly touch the ring, (n, 9).
+
+    Parameters
+    ----------
+    rows
+        How many there are.
+    speeds
+        Between which powers of ten the speeds towards the ring are, m/s.
+    """
+    random = np.random.default_rng(9)
     place = places_on(random, np.full(rows, RING))
     normal = normals_of(np.full(rows, RING), place)
     moving = random.normal(0, 3, (3, rows))
-    moving -= normal * (np.sum(moving * normal, axis=0) + 10 ** random.uniform(-9, -7, rows))
+    moving -= normal * (np.sum(moving * normal, axis=0) + 10 ** random.uniform(*speeds, rows))
     t = 0.02
     begin = place - moving * t - np.array([[0.0], [0.0], [G / 2]]) * t**2
     states = np.array([*begin, *moving, *np.zeros((3, rows))])
@@ -720,6 +729,21 @@ def test_shots_that_graze_the_ring_are_uncertain_and_all_engines_have_the_same_b
     unknown = ~np.isfinite(one.state_error).all(axis=1) & (one.outcome != Outcome.INVALID)
     assert np.mean(unknown) > 0.2
     assert np.all(one.uncertain[unknown])
+
+
+def check_infinite_bounds(engine: Engine) -> None:
+    """Demand that shots which are capped where their bounds are infinite are uncertain."""
+    states = grazes(trials(4000, at_least=3000), (-7.5, -5))
+    fields = ("contacts", "state_error", "uncertain")
+    shots = engine.simulate(states, PAPER, backend="numpy", max_contacts=1, fields=fields)
+    unknown = ~np.isfinite(shots.state_error).all(axis=1) & (shots.contacts == 1)
+    assert np.mean(unknown) > 0.2
+    assert np.all(shots.uncertain[unknown])
+
+
+def test_a_shot_that_is_capped_where_its_bounds_are_infinite_is_uncertain() -> None:
+    """Nothing else may be undecided there: a contact may be certain, and the lemma not hold."""
+    check_infinite_bounds(hoopgen.HOOP)
 
 
 def test_no_reported_bound_is_a_nan() -> None:
