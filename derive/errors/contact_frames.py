@@ -237,7 +237,7 @@ def _cross(a: Sequence[sp.Expr], b: Sequence[sp.Expr]) -> Vector:
     return _vector(_held(a[k - 2] * b[k - 1] - a[k - 1] * b[k - 2]) for k in range(3))
 
 
-def sized(factors: Sequence[sp.Expr], bounds: Sequence[sp.Expr]) -> sp.Expr:
+def weighted_sum(factors: Sequence[sp.Expr], bounds: Sequence[sp.Expr]) -> sp.Expr:
     """Return the sum of bounds, each times the absolute value of a factor.
 
     Parameters
@@ -344,7 +344,7 @@ class Growth:
     gap: sp.Expr
     after: tuple[Vector, Vector]
 
-    def grown(self, bounds: Sequence[sp.Expr]) -> list[sp.Expr]:
+    def times(self, bounds: Sequence[sp.Expr]) -> list[sp.Expr]:
         """Return |T| times bounds.
 
         Parameters
@@ -352,7 +352,7 @@ class Growth:
         bounds
             A bound for each column.
         """
-        return [sized(row, bounds) for row in zip(*self.columns, strict=True)]
+        return [weighted_sum(row, bounds) for row in zip(*self.columns, strict=True)]
 
     def errors_after(self, ball: Ball, found: Sequence[sp.Expr], rest: Rest) -> dict[str, sp.Expr]:
         """Return the outputs of a kernel that carries bounds, infinite where no lemma holds.
@@ -444,7 +444,7 @@ def growth(flight: Parabola, ball: Ball, restitution: sp.Expr) -> Growth:
         found.append((q_s, q_e, *(_held(y + delay * f - q_s * a - q_e * b) for y, f, a, b in rows)))
     leaving = _vector(law(moving, turning)[:3])
     rolling = (turning[0], barrier(-leaving[2] * per_radius), barrier(leaving[1] * per_radius))
-    return Growth(here, found, sized(gaps, EACH), (leaving, rolling))
+    return Growth(here, found, weighted_sum(gaps, EACH), (leaving, rolling))
 
 
 def contact_errors(flight: Parabola, ball: Ball, restitution: sp.Expr) -> dict[str, sp.Expr]:
@@ -464,7 +464,7 @@ def contact_errors(flight: Parabola, ball: Ball, restitution: sp.Expr) -> dict[s
     """
     grows = growth(flight, ball, restitution)
     rest = Rest(flight, ball, restitution, grows.here, grows.gap)
-    pairs = zip(grows.grown(EACH), rest.extras, strict=True)
+    pairs = zip(grows.times(EACH), rest.extras, strict=True)
     return grows.errors_after(ball, [value + extra for value, extra in pairs], rest)
 
 

@@ -25,7 +25,7 @@ from ..contact.ball import Ball
 from ..motion.parabola import Parabola
 from ..symbolic.conditionals import IfAtMost, IfLess, barrier
 from ..symbolic.rounding import ROUNDING_SLACK
-from .contact_frames import BOUNDS, Rest, growth, sized
+from .contact_frames import BOUNDS, Rest, growth, weighted_sum
 
 SIZE = 6
 """Number of the coordinates that each contact makes of those before it: q_s, q_e, y_n to y_w."""
@@ -70,7 +70,7 @@ def tighter_errors(flight: Parabola, ball: Ball, restitution: sp.Expr) -> dict[s
         for k in range(SIZE)
     ]
     rounded = (barrier(c + PRODUCT_ROUNDING * b) for c, b in zip(since, own, strict=True))
-    come = grows.grown((BOUNDS[0], *rounded, BOUNDS[-1], BOUNDS[-1]))
+    come = grows.times((BOUNDS[0], *rounded, BOUNDS[-1], BOUNDS[-1]))
     recent = [
         barrier(ROUNDING_SLACK * barrier(value + extra))
         for value, extra in zip(come, rest.extras, strict=True)
@@ -80,7 +80,7 @@ def tighter_errors(flight: Parabola, ball: Ball, restitution: sp.Expr) -> dict[s
         [barrier(sum(made[k][i] * before[k][j] for k in range(SIZE))) for j in range(SIZE)]
         for i in range(SIZE)
     ]
-    main = [sized(row, origin) for row in product]
+    main = [weighted_sum(row, origin) for row in product]
     found = [m + c for m, c in zip(main, recent, strict=True)]
     new, old = (
         barrier(sum(weight * value for weight, value in zip(WEIGHTS, values, strict=True)))

@@ -40,7 +40,7 @@ class Field:
         True if the field never influences the trajectory. A loop without error bounds leaves it
         out, as if it stayed at its start.
     is_tightening
-        True if only a shot whose errors are tightened needs the field.
+        True if only a shot whose bounds are tightened needs the field.
     """
 
     name: str

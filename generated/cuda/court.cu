@@ -5184,8 +5184,7 @@ static __device__ __forceinline__ kernel_end_edge_out kernel_end_edge(double sla
                       and of the event log, which has 3 * _max_contacts + 1 rows
                       for each shot, and of their number: events, event_counts */
 
-/* The event loop. Without BOUNDS, what it guards is never compiled, and what it would assign stays as it starts.
-   */
+/* The event loop. Without BOUNDS, what it guards is never compiled, and what it would assign stays as it starts. */
 template <bool BOUNDS>
 static __device__ __forceinline__ void court_loop(
     long long _shots, long long _first, const double *_states, const double *const *_values,

@@ -2494,8 +2494,7 @@ static __device__ __forceinline__ kernel_end_edge_out kernel_end_edge(double sla
 
 /* The event loop. Without BOUNDS, what it guards is never compiled, and what it would assign stays as it starts.
    With `tightening` 1 bounds on errors are tightened, and only what needs them is written. Return whether
-   that may make a shot certain that is not yet.
-   */
+   that may make a shot certain that is not yet. */
 template <bool BOUNDS>
 static __device__ __forceinline__ bool hoop_loop(
     long long _shots, long long _first, const double *_states, const double *const *_values,

@@ -173,7 +173,7 @@ PIECES: tuple[str, ...] = ()
 
 class Field(NamedTuple):
     """A number that a shot keeps from event to event: its start, None if given; whether it is
-    diagnostic, and never influences the trajectory; whether only shots whose errors are tightened
+    diagnostic, and never influences the trajectory; whether only shots whose bounds are tightened
     need it."""
 
     name: str

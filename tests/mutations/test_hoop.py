@@ -485,7 +485,7 @@ FAULTS = (
     ),
     Fault(
         "errors do not grow",
-        in_text(contact_frames, "sized", "absolute(factor) * b", "0 * b"),
+        in_text(contact_frames, "weighted_sum", "absolute(factor) * b", "0 * b"),
     ),
     Fault(
         "a root is on the surface",
