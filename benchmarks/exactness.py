@@ -90,7 +90,7 @@ def _add(result: Tally, states: Floats, parameters: Mapping[str, Any], audited: 
     for shot in np.flatnonzero(sure & ~same)[:EXAMPLES].tolist():
         text = proved[shot].question or "another sequence or outcome"
         _remember(result, text, states, parameters, shot)
-    largest = result.contact_errors.add(flown, proved, MAX_CONTACTS)
+    largest = result.contact_errors.add(flown, proved)
     for shot in np.flatnonzero(sure & same & (largest > 1))[:EXAMPLES].tolist():
         _remember(result, "bound broken at a contact", states, parameters, shot)
     _audit(result, flown, parameters, np.flatnonzero(sure[:audited]))
@@ -261,9 +261,9 @@ def as_markdown(tallies: Sequence[Tally], before: str = "") -> str:
         "above 1 would break this promise.",
         "",
         *_numbers(tallies),
-        "The next table compares the states after all contacts with the bounds that decisions "
-        "about the next flight use: for a shot that was flagged before it was simulated again, "
-        "with the tighter ones. "
+        "The next table compares the times of all contacts, and the states after them, with the "
+        "bounds that the event log has for them. Decisions about the next flight use the same "
+        "bounds. "
         "Not proved are contacts after which a shot goes on otherwise than in the proof, or of "
         "which 4,096 bits prove nothing.",
         "",

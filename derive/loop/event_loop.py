@@ -290,7 +290,7 @@ def _resolve(
     yield Call(common["closing"])
     names = ("position_error", "velocity_error", "spin_error", "time_error")
     claims = dict(zip(names, REPORTED_ERRORS, strict=True))
-    yield If("closed", (Call(common["claimed_errors"], {}, claims),), rare=True)
+    yield If("reports", (Call(common["claimed_errors"], {}, claims),), rare=True)
 
 
 def _contact(

@@ -185,10 +185,10 @@ def _of_errors(single: bool, open_ended: bool) -> tuple[Kernel, ...]:
         decision(
             "closing",
             {
-                "closed": all_of(Less(0, claims), AtMost(0, outcome)),
+                "reports": Or(all_of(Less(0, claims), AtMost(0, outcome)), Less(1, claims)),
                 **dict.fromkeys(REPORTED_ERRORS, sp.Integer(0)),
             },
-            "Whether a shot has ended and its errors are wanted; start values of their bounds.",
+            "Whether bounds on errors are wanted here, and their start values.",
             single,
         ),
         decision(

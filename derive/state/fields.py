@@ -83,7 +83,8 @@ class ResultField:
         True if it counts contacts by body where they happen, a column each; then no field holds
         them.
     switch
-        The number of the caller that is 1 if any result with this switch is requested; empty: none.
+        The number of the caller that is 1 if any result with this switch is requested, and 2 if
+        the event log has those with this switch, too, a row each; empty: none.
     absence
         Why some scenes lack it; empty: every scene has it.
     labels
@@ -201,7 +202,9 @@ def fields(
     more = tighter_bounds.TIGHTENING if proved else ()
     tightening = (Field(s.name, 0.0, "to tighten bounds on errors", True, True) for s in more)
     counts = (Field(f"count_{k}", 0.0, f"contacts with {name}") for k, name in enumerate(bodies))
-    claims = (Field(name, 0.0, "bound on the error at the end", True) for name in REPORTED_ERRORS)
+    claims = (
+        Field(name, 0.0, "bound on the error at the last event", True) for name in REPORTED_ERRORS
+    )
     through = Field("through", 0.0, "1: it has fallen through the ring, -1: it came up through it")
     lengths = Field("lengths", 0.0, "sum of the sizes of the scene's lengths", True)
     return (

@@ -163,7 +163,7 @@ LOOP = {
     ),
     "outcome": Entry(r"o", "outcome of the shot, -1: in flight"),
     "uncertain": Entry(r"\upsilon", "1 if some decision of the shot is undecided"),
-    "claims": Entry(r"\gamma_e", "positive if error bounds at the end are wanted"),
+    "claims": Entry(r"\gamma_e", "1 if error bounds are wanted at the end, 2 at every event"),
     "allowed": Entry(r"\alpha_p", "positive if the parameters are allowed"),
     "valid": Entry(r"\alpha_s", "positive if the ball overlaps no surface"),
     "permitted": Entry(r"\text{permitted}", "the parameters are allowed and in range"),

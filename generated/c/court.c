@@ -1,6 +1,6 @@
 /* court: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene court, derivation 92491f19bbe510a3,
+   Generated from templates/c/scene.c.j2, scene court, derivation 7bab8060f636f901,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 
@@ -125,7 +125,7 @@ typedef struct {
 static int bounded(const court_job *job)
 {
     const court_results *out = job->results;
-    return out->grip_lost || out->time_error || out->state_error || out->uncertain;
+    return out->event_errors || out->grip_lost || out->time_error || out->state_error || out->uncertain;
 }
 
 /* Whether the caller wants no more; another thread may say so at any time. */
@@ -294,7 +294,7 @@ static int court_error(const court_job *job)
         return COURT_ERROR_RESULTS;
     if (!COURT_BOUNDED && bounded(job))
         return COURT_ERROR_RESULTS;
-    if ((out->events == NULL) != (out->event_counts == NULL))
+    if ((out->events == NULL) != (out->event_counts == NULL) || (out->event_errors && out->events == NULL))
         return COURT_ERROR_EVENTS;
     if (out->events) {
         if (job->max_contacts > (INT32_MAX - 1) / COURT_LOG_ROWS)

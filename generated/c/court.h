@@ -1,6 +1,6 @@
 /* court: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene court, derivation 92491f19bbe510a3,
+   Generated from templates/c/scene.h.j2, scene court, derivation 7bab8060f636f901,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile court.c, next to which this and the other files
@@ -95,6 +95,12 @@ typedef struct {
     int64_t kind;    /* as numbered above */
 } court_event;
 
+/* Bounds on the errors of a row of the event log: of its time, and of the state after it. */
+typedef struct {
+    double time_error; /* bound on the error of time */
+    double state_error[3]; /* bounds on the errors of each component of position, velocity and spin */
+} court_event_errors;
+
 /* Where the results go, by shot; what is NULL is not written. `events` and `event_counts` go
    together: without the counts nobody could tell which rows of the log are used. */
 typedef struct {
@@ -112,6 +118,7 @@ typedef struct {
     uint8_t *uncertain; /* a decision lies within its rounding-error bound */
     court_event *events;   /* [shot][COURT_LOG_ROWS * max_contacts + 1] */
     int32_t *event_counts;   /* rows of `events` used, by shot */
+    court_event_errors *event_errors; /* NULL, or with `events`: as many rows */
 } court_results;
 
 /* Why nothing was run: what a call returns instead of the width. */
@@ -129,7 +136,8 @@ enum {
     COURT_ERROR_TIME_LIMIT = -10,   /* NaN, or not more than 0 */
     COURT_ERROR_RESULTS = -11,      /* NULL, or with bounds on errors that the build leaves out */
     COURT_ERROR_EVENTS = -12,       /* `events` without `event_counts`, or these without those;
-                                   or a log that no array can hold, or no count */
+                                   `event_errors` without either; or a log that no array can hold,
+                                   or no count */
     COURT_ERROR_NEXT = -13,         /* NULL */
     COURT_ERROR_PARTS = -14         /* less than 1 */
 };

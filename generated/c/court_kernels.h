@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 92491f19bbe510a3,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 7bab8060f636f901,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -1130,17 +1130,17 @@ LANES(court_clock_error_sum)(V delay, V clock_error)
     return (LANES(court_clock_error_sum_out)){ lanes_add(delay, clock_error) };
 }
 
-/* Whether a shot has ended and its errors are wanted; start values of their bounds.
-   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+/* Whether bounds on errors are wanted here, and their start values.
+   Table 1. 5 operations: 3 comparisons, 1 conjunction, 1 disjunction. */
 typedef struct {
-    M closed;
+    M reports;
     V position_claim, velocity_claim, spin_claim, time_claim;
 } LANES(court_closing_out);
 
 LANES_INLINE LANES(court_closing_out)
 LANES(court_closing)(V outcome, V claims)
 {
-    return (LANES(court_closing_out)){ lanes_both(lanes_less(K(0.0), claims), lanes_at_most(K(0.0), outcome)), K(0.0), K(0.0), K(0.0), K(0.0) };
+    return (LANES(court_closing_out)){ lanes_either(lanes_both(lanes_less(K(0.0), claims), lanes_at_most(K(0.0), outcome)), lanes_less(K(1.0), claims)), K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
 /* Errors at the end, not below the largest that one flight can cause.

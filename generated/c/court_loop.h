@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation 92491f19bbe510a3,
+   Generated from templates/c/loop.h.j2, scene court, derivation 7bab8060f636f901,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -56,10 +56,10 @@ typedef struct {
     LANES(column) through; /* 1: it has fallen through the ring, -1: it came up through it */
 #if BOUNDED
     LANES(column) uncertain; /* 1: a decision lies within its rounding-error bound */
-    LANES(column) position_claim; /* bound on the error at the end */
-    LANES(column) velocity_claim; /* bound on the error at the end */
-    LANES(column) spin_claim; /* bound on the error at the end */
-    LANES(column) time_claim; /* bound on the error at the end */
+    LANES(column) position_claim; /* bound on the error at the last event */
+    LANES(column) velocity_claim; /* bound on the error at the last event */
+    LANES(column) spin_claim; /* bound on the error at the last event */
+    LANES(column) time_claim; /* bound on the error at the last event */
 #endif
     LANES(column) outcome; /* how it ended, -1: in flight */
     LANES(court_parameters) parameters, stepping_parameters, searching_parameters, searching_searching_parameters, refining_parameters, reachable_parameters, reachable_searching_parameters, reachable_refining_parameters, in_contact_parameters, in_contact_rolling_parameters, in_contact_circling_parameters, in_contact_leaves_parameters, slow_parameters;
@@ -3127,7 +3127,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
     const V most_contacts = K((double)job->max_contacts);
     const V time_limit = K(job->time_limit);
 #if BOUNDED
-    const V claims = K(job->results->time_error || job->results->state_error ? 1.0 : 0.0);
+    const V claims = K(job->results->event_errors ? 2.0 : job->results->time_error || job->results->state_error ? 1.0 : 0.0);
 #endif
 
 #if BOUNDED
@@ -3384,15 +3384,15 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         refused = lanes_either(refused, limited);
         refused = lanes_either(refused, hopped);
         CALL(court_closing, _closing_1)(outcome, claims);
-        EACH(GET_MASK, _closing_1, closed)
+        EACH(GET_MASK, _closing_1, reports)
         EACH(GET, _closing_1, position_claim, velocity_claim, spin_claim, time_claim)
-        const M _if_closed_1 = closed;
-        if (lanes_any(_if_closed_1)) {
+        const M _if_reports_1 = reports;
+        if (lanes_any(_if_reports_1)) {
             CALL(court_claimed_errors, _claimed_errors_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            position_claim = lanes_select(_if_closed_1, _claimed_errors_1.position_error, position_claim);
-            velocity_claim = lanes_select(_if_closed_1, _claimed_errors_1.velocity_error, velocity_claim);
-            spin_claim = lanes_select(_if_closed_1, _claimed_errors_1.spin_error, spin_claim);
-            time_claim = lanes_select(_if_closed_1, _claimed_errors_1.time_error, time_claim);
+            position_claim = lanes_select(_if_reports_1, _claimed_errors_1.position_error, position_claim);
+            velocity_claim = lanes_select(_if_reports_1, _claimed_errors_1.velocity_error, velocity_claim);
+            spin_claim = lanes_select(_if_reports_1, _claimed_errors_1.spin_error, spin_claim);
+            time_claim = lanes_select(_if_reports_1, _claimed_errors_1.time_error, time_claim);
         }
 #endif
         refused = lanes_either(refused, lanes_less(outcome, K(0.0)));
@@ -3416,7 +3416,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
     const V most_contacts = K((double)job->max_contacts);
     const V time_limit = K(job->time_limit);
 #if BOUNDED
-    const V claims = K(job->results->time_error || job->results->state_error ? 1.0 : 0.0);
+    const V claims = K(job->results->event_errors ? 2.0 : job->results->time_error || job->results->state_error ? 1.0 : 0.0);
 #endif
 
     const size_t varying = job->varying ? ~(size_t)0 : 0;
@@ -5342,15 +5342,15 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SELECT, (_if_hopped_1, _carry_hop_1), dx, dy, dz)
             }
             CALL(court_closing, _closing_1)(outcome, claims);
-            EACH(GET_MASK, _closing_1, closed)
+            EACH(GET_MASK, _closing_1, reports)
             EACH(GET, _closing_1, position_claim, velocity_claim, spin_claim, time_claim)
-            const M _if_closed_1 = lanes_both(rows, closed);
-            if (lanes_any(_if_closed_1)) {
+            const M _if_reports_1 = lanes_both(rows, reports);
+            if (lanes_any(_if_reports_1)) {
                 CALL(court_claimed_errors, _claimed_errors_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_if_closed_1, _claimed_errors_1.position_error, position_claim);
-                velocity_claim = lanes_select(_if_closed_1, _claimed_errors_1.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_if_closed_1, _claimed_errors_1.spin_error, spin_claim);
-                time_claim = lanes_select(_if_closed_1, _claimed_errors_1.time_error, time_claim);
+                position_claim = lanes_select(_if_reports_1, _claimed_errors_1.position_error, position_claim);
+                velocity_claim = lanes_select(_if_reports_1, _claimed_errors_1.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_if_reports_1, _claimed_errors_1.spin_error, spin_claim);
+                time_claim = lanes_select(_if_reports_1, _claimed_errors_1.time_error, time_claim);
             }
             EACH(STORE, , dx, dy, dz, position_claim, spin_claim, time_claim, velocity_claim)
 #endif
@@ -5360,8 +5360,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 if (worklist->body[k] < 0.0)
                     continue;
                 const size_t shot = (size_t)worklist->shot[k], rows = COURT_LOG_ROWS * (size_t)job->max_contacts + 1;
-                int32_t *used = job->results->event_counts + shot;
-                court_event *event = job->results->events + shot * rows + (size_t)(*used)++;
+                const size_t place = shot * rows + (size_t)job->results->event_counts[shot]++;
+                court_event *event = job->results->events + place;
                 const int64_t body = (int64_t)worklist->body[k], staying = body - COURT_SURFACES - 1;
                 event->shot = (int64_t)shot;
                 event->surface = staying < 0 ? body : staying / 2;
@@ -5385,6 +5385,15 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 event->after[7] = worklist->wy[k];
                 event->before[8] = worklist->wz_before[k];
                 event->after[8] = worklist->wz[k];
+#if BOUNDED
+                if (job->results->event_errors) {
+                    court_event_errors *errors = job->results->event_errors + place;
+                    errors->time_error = worklist->time_claim[k];
+                    errors->state_error[0] = worklist->position_claim[k];
+                    errors->state_error[1] = worklist->velocity_claim[k];
+                    errors->state_error[2] = worklist->spin_claim[k];
+                }
+#endif
             }
 
         M going = mask_none();

@@ -1,6 +1,6 @@
 /* hoop: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene hoop, derivation a07e4e9dc91760e5,
+   Generated from templates/c/scene.c.j2, scene hoop, derivation e119abfc0a713f2a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 
@@ -127,7 +127,7 @@ typedef struct {
 static int bounded(const hoop_job *job)
 {
     const hoop_results *out = job->results;
-    return out->time_error || out->state_error || out->uncertain;
+    return out->event_errors || out->time_error || out->state_error || out->uncertain;
 }
 
 /* Whether the caller wants no more; another thread may say so at any time. */
@@ -296,7 +296,7 @@ static int hoop_error(const hoop_job *job)
         return HOOP_ERROR_RESULTS;
     if (!HOOP_BOUNDED && bounded(job))
         return HOOP_ERROR_RESULTS;
-    if ((out->events == NULL) != (out->event_counts == NULL))
+    if ((out->events == NULL) != (out->event_counts == NULL) || (out->event_errors && out->events == NULL))
         return HOOP_ERROR_EVENTS;
     if (out->events) {
         if (job->max_contacts > (INT32_MAX - 1) / HOOP_LOG_ROWS)

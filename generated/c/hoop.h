@@ -1,6 +1,6 @@
 /* hoop: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene hoop, derivation a07e4e9dc91760e5,
+   Generated from templates/c/scene.h.j2, scene hoop, derivation e119abfc0a713f2a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this and the other files
@@ -85,6 +85,12 @@ typedef struct {
     int64_t kind;    /* as numbered above */
 } hoop_event;
 
+/* Bounds on the errors of a row of the event log: of its time, and of the state after it. */
+typedef struct {
+    double time_error; /* bound on the error of time */
+    double state_error[3]; /* bounds on the errors of each component of position, velocity and spin */
+} hoop_event_errors;
+
 /* Where the results go, by shot; what is NULL is not written. `events` and `event_counts` go
    together: without the counts nobody could tell which rows of the log are used. */
 typedef struct {
@@ -99,6 +105,7 @@ typedef struct {
     uint8_t *uncertain; /* a decision lies within its rounding-error bound */
     hoop_event *events;   /* [shot][HOOP_LOG_ROWS * max_contacts + 1] */
     int32_t *event_counts;   /* rows of `events` used, by shot */
+    hoop_event_errors *event_errors; /* NULL, or with `events`: as many rows */
 } hoop_results;
 
 /* Why nothing was run: what a call returns instead of the width. */
@@ -116,7 +123,8 @@ enum {
     HOOP_ERROR_TIME_LIMIT = -10,   /* NaN, or not more than 0 */
     HOOP_ERROR_RESULTS = -11,      /* NULL, or with bounds on errors that the build leaves out */
     HOOP_ERROR_EVENTS = -12,       /* `events` without `event_counts`, or these without those;
-                                   or a log that no array can hold, or no count */
+                                   `event_errors` without either; or a log that no array can hold,
+                                   or no count */
     HOOP_ERROR_NEXT = -13,         /* NULL */
     HOOP_ERROR_PARTS = -14         /* less than 1 */
 };

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation a07e4e9dc91760e5,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation e119abfc0a713f2a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -968,17 +968,17 @@ LANES(hoop_clock_error_sum)(S delay, S clock_error)
     return (LANES(hoop_clock_error_sum_out)){ singles_add(delay, clock_error) };
 }
 
-/* Whether a shot has ended and its errors are wanted; start values of their bounds.
-   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+/* Whether bounds on errors are wanted here, and their start values.
+   Table 1. 5 operations: 3 comparisons, 1 conjunction, 1 disjunction. */
 typedef struct {
-    M closed;
+    M reports;
     S position_claim, velocity_claim, spin_claim, time_claim;
 } LANES(hoop_closing_out);
 
 LANES_INLINE LANES(hoop_closing_out)
 LANES(hoop_closing)(S outcome, S claims)
 {
-    return (LANES(hoop_closing_out)){ singles_truth(singles_both(singles_less(KS(0.0), claims), singles_at_most(KS(0.0), outcome))), KS(0.0), KS(0.0), KS(0.0), KS(0.0) };
+    return (LANES(hoop_closing_out)){ singles_truth(singles_either(singles_both(singles_less(KS(0.0), claims), singles_at_most(KS(0.0), outcome)), singles_less(KS(1.0), claims))), KS(0.0), KS(0.0), KS(0.0), KS(0.0) };
 }
 
 /* Whether a flight with these ends may come to a plate.

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene hoop, derivation a07e4e9dc91760e5,
+   Generated from templates/c/loop.h.j2, scene hoop, derivation e119abfc0a713f2a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -99,10 +99,10 @@ typedef struct {
     LANES(column) count_2; /* contacts with bridge */
 #if BOUNDED
     LANES(column) uncertain; /* 1: a decision lies within its rounding-error bound */
-    LANES(singles_column) position_claim; /* bound on the error at the end */
-    LANES(singles_column) velocity_claim; /* bound on the error at the end */
-    LANES(singles_column) spin_claim; /* bound on the error at the end */
-    LANES(singles_column) time_claim; /* bound on the error at the end */
+    LANES(singles_column) position_claim; /* bound on the error at the last event */
+    LANES(singles_column) velocity_claim; /* bound on the error at the last event */
+    LANES(singles_column) spin_claim; /* bound on the error at the last event */
+    LANES(singles_column) time_claim; /* bound on the error at the last event */
 #endif
     LANES(column) outcome; /* how it ended, -1: in flight */
 #if BOUNDED
@@ -292,6 +292,8 @@ static size_t LOOP(begin_again)(LOOP(worklist) *worklist, size_t row, const hoop
         const size_t shot = (size_t)worklist->loose_shot[from + k];
         const double *state = job->states + HOOP_STATE * shot;
         worklist->shot[row + k] = (double)shot;
+        if (job->results->event_errors)
+            job->results->event_counts[shot] = 0;
         worklist->x[row + k] = state[0];
         worklist->y[row + k] = state[1];
         worklist->z[row + k] = state[2];
@@ -984,7 +986,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
     const V most_contacts = K((double)job->max_contacts);
     const V time_limit = K(job->time_limit);
 #if BOUNDED
-    const V claims = K(job->results->time_error || job->results->state_error ? 1.0 : 0.0);
+    const V claims = K(job->results->event_errors ? 2.0 : job->results->time_error || job->results->state_error ? 1.0 : 0.0);
 #endif
 
 #if BOUNDED
@@ -1201,15 +1203,15 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
 #if BOUNDED
         refused = lanes_either(refused, limited);
         CALL(hoop_closing, _closing_1)(lanes_narrow(outcome), lanes_narrow(claims));
-        EACH(GET_MASK, _closing_1, closed)
+        EACH(GET_MASK, _closing_1, reports)
         EACH(GET_SINGLE, _closing_1, position_claim, velocity_claim, spin_claim, time_claim)
-        const M _if_closed_1 = closed;
-        if (lanes_any(_if_closed_1)) {
+        const M _if_reports_1 = reports;
+        if (lanes_any(_if_reports_1)) {
             CALL(hoop_claimed_errors, _claimed_errors_1)(clock_error, position_bound, velocity_bound, spin_bound);
-            position_claim = singles_select(singles_of(_if_closed_1), _claimed_errors_1.position_error, position_claim);
-            velocity_claim = singles_select(singles_of(_if_closed_1), _claimed_errors_1.velocity_error, velocity_claim);
-            spin_claim = singles_select(singles_of(_if_closed_1), _claimed_errors_1.spin_error, spin_claim);
-            time_claim = singles_select(singles_of(_if_closed_1), _claimed_errors_1.time_error, time_claim);
+            position_claim = singles_select(singles_of(_if_reports_1), _claimed_errors_1.position_error, position_claim);
+            velocity_claim = singles_select(singles_of(_if_reports_1), _claimed_errors_1.velocity_error, velocity_claim);
+            spin_claim = singles_select(singles_of(_if_reports_1), _claimed_errors_1.spin_error, spin_claim);
+            time_claim = singles_select(singles_of(_if_reports_1), _claimed_errors_1.time_error, time_claim);
         }
 #endif
         refused = lanes_either(refused, lanes_less(outcome, K(0.0)));
@@ -1239,7 +1241,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
     const V most_contacts = K((double)job->max_contacts);
     const V time_limit = K(job->time_limit);
 #if BOUNDED
-    const V claims = K(job->results->time_error || job->results->state_error ? 1.0 : 0.0);
+    const V claims = K(job->results->event_errors ? 2.0 : job->results->time_error || job->results->state_error ? 1.0 : 0.0);
 #endif
 
     const size_t varying = job->varying ? ~(size_t)0 : 0;
@@ -1292,7 +1294,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             /* The path of these is known: only bounds on errors, and what follows from them, are new. */
             worklist->tightening = !worklist->tightening;
             tightening = K(worklist->tightening ? 1.0 : 0.0);
-            recording = !worklist->tightening && job->results->events != NULL;
+            recording = job->results->events != NULL && (!worklist->tightening || job->results->event_errors != NULL);
             continue;
 #endif
         }
@@ -2406,15 +2408,15 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 }
             }
             CALL(hoop_closing, _closing_1)(lanes_narrow(outcome), lanes_narrow(claims));
-            EACH(GET_MASK, _closing_1, closed)
+            EACH(GET_MASK, _closing_1, reports)
             EACH(GET_SINGLE, _closing_1, position_claim, velocity_claim, spin_claim, time_claim)
-            const M _if_closed_1 = lanes_both(rows, closed);
-            if (lanes_any(_if_closed_1)) {
+            const M _if_reports_1 = lanes_both(rows, reports);
+            if (lanes_any(_if_reports_1)) {
                 CALL(hoop_claimed_errors, _claimed_errors_1)(clock_error, position_bound, velocity_bound, spin_bound);
-                position_claim = singles_select(singles_of(_if_closed_1), _claimed_errors_1.position_error, position_claim);
-                velocity_claim = singles_select(singles_of(_if_closed_1), _claimed_errors_1.velocity_error, velocity_claim);
-                spin_claim = singles_select(singles_of(_if_closed_1), _claimed_errors_1.spin_error, spin_claim);
-                time_claim = singles_select(singles_of(_if_closed_1), _claimed_errors_1.time_error, time_claim);
+                position_claim = singles_select(singles_of(_if_reports_1), _claimed_errors_1.position_error, position_claim);
+                velocity_claim = singles_select(singles_of(_if_reports_1), _claimed_errors_1.velocity_error, velocity_claim);
+                spin_claim = singles_select(singles_of(_if_reports_1), _claimed_errors_1.spin_error, spin_claim);
+                time_claim = singles_select(singles_of(_if_reports_1), _claimed_errors_1.time_error, time_claim);
             }
 #endif
             EACH(STORE, , clock, contacts, outcome, vx, vy, vz, x, y, z)
@@ -2427,8 +2429,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 if (worklist->body[k] < 0.0)
                     continue;
                 const size_t shot = (size_t)worklist->shot[k], rows = HOOP_LOG_ROWS * (size_t)job->max_contacts + 1;
-                int32_t *used = job->results->event_counts + shot;
-                hoop_event *event = job->results->events + shot * rows + (size_t)(*used)++;
+                const size_t place = shot * rows + (size_t)job->results->event_counts[shot]++;
+                hoop_event *event = job->results->events + place;
                 const int64_t body = (int64_t)worklist->body[k], staying = body - HOOP_SURFACES - 1;
                 event->shot = (int64_t)shot;
                 event->surface = staying < 0 ? body : staying / 2;
@@ -2452,6 +2454,15 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 event->after[7] = worklist->wy[k];
                 event->before[8] = worklist->wz_before[k];
                 event->after[8] = worklist->wz[k];
+#if BOUNDED
+                if (job->results->event_errors) {
+                    hoop_event_errors *errors = job->results->event_errors + place;
+                    errors->time_error = worklist->time_claim[k];
+                    errors->state_error[0] = worklist->position_claim[k];
+                    errors->state_error[1] = worklist->velocity_claim[k];
+                    errors->state_error[2] = worklist->spin_claim[k];
+                }
+#endif
             }
 
         M going = mask_none();

@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation 92491f19bbe510a3,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation 7bab8060f636f901,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -84,6 +84,12 @@ struct court_event {
     long long shot, surface;
     double time, before[9], after[9];
     long long kind;
+};
+
+/* Bounds on the errors of such a row. */
+struct court_event_errors {
+    double time_error;
+    double state_error[3];
 };
 
 static __device__ const int table_0[][2] = {
@@ -1158,16 +1164,16 @@ static __device__ __forceinline__ kernel_clock_error_sum_out kernel_clock_error_
     return {delay + clock_error};
 }
 
-/* Whether a shot has ended and its errors are wanted; start values of their bounds.
-   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+/* Whether bounds on errors are wanted here, and their start values.
+   Table 1. 5 operations: 3 comparisons, 1 conjunction, 1 disjunction. */
 struct kernel_closing_out {
-    bool closed;
+    bool reports;
     double position_claim, velocity_claim, spin_claim, time_claim;
 };
 
 static __device__ __forceinline__ kernel_closing_out kernel_closing(double outcome, double claims)
 {
-    return {(0.0 < claims) && (0.0 <= outcome), 0.0, 0.0, 0.0, 0.0};
+    return {((0.0 < claims) && (0.0 <= outcome)) || (1.0 < claims), 0.0, 0.0, 0.0, 0.0};
 }
 
 /* Errors at the end, not below the largest that one flight can cause.
@@ -5182,7 +5188,8 @@ static __device__ __forceinline__ kernel_end_edge_out kernel_end_edge(double sla
    _results           the arrays of results, null for what is not wanted:
                       outcome, contacts, counts, first, time, state, rolls, slip_left, grip_lost, time_error, state_error, uncertain;
                       and of the event log, which has 3 * _max_contacts + 1 rows
-                      for each shot, and of their number: events, event_counts */
+                      for each shot, of their number, and of bounds on their errors: events,
+                      event_counts, event_errors */
 
 /* The event loop. Without BOUNDS, what it guards is never compiled, and what it would assign stays as it starts. */
 template <bool BOUNDS>
@@ -5196,7 +5203,7 @@ static __device__ __forceinline__ void court_loop(
         return;
     const shot_parameters _given = {_values, _strides, _shot};
     const double most_contacts = (double)_max_contacts;
-    const double claims = BOUNDS && (_results[9] || _results[10]) ? 1.0 : 0.0;
+    const double claims = !BOUNDS ? 0.0 : _results[14] ? 2.0 : _results[9] || _results[10] ? 1.0 : 0.0;
     const double p_ball_radius = parameter(_given, 0);
     const double p_ring_radius = parameter(_given, 1);
     const double p_wire_radius = parameter(_given, 2);
@@ -5296,7 +5303,7 @@ static __device__ __forceinline__ void court_loop(
         endless = false, moves = false, ends = false, touches = false, edge = false,
         undecided = false, hopped = false, meeting = false, slow = false, again = false,
         struck_0 = false, put_on = false, nearly = false, settles = false, lodges = false,
-        slides = false, unpressed = false, ends_by_time_limit = false, closed = false;
+        slides = false, unpressed = false, ends_by_time_limit = false, reports = false;
     float onset = (float)0.0, wide_end = (float)0.0, wide_low1 = (float)0.0, wide_high1 = (float)0.0,
         wide_low2 = (float)0.0, wide_high2 = (float)0.0, lapsed = (float)0.0,
         short_share = (float)0.0, short_t = (float)0.0, short_end = (float)0.0,
@@ -5319,9 +5326,13 @@ static __device__ __forceinline__ void court_loop(
     last = _leaving ? (double)_leaving[_shot] : -1.0;
 
     court_event *_events = (court_event *)_results[12];
+    court_event_errors *_errors = BOUNDS ? (court_event_errors *)_results[14] : 0;
     int _used = 0;
+    const long long _rows = _shot * (3 * (long long)_max_contacts + 1);
     if (_events)
-        _events += _shot * (3 * (long long)_max_contacts + 1);
+        _events += _rows;
+    if (_errors)
+        _errors += _rows;
 
     const kernel_allowed_out _o0 = kernel_allowed(_given);
     allowed = _o0.allowed;
@@ -7915,12 +7926,12 @@ static __device__ __forceinline__ void court_loop(
                 dz = _o535.dz;
             }
             const kernel_closing_out _o536 = kernel_closing(outcome, claims);
-            closed = _o536.closed;
+            reports = _o536.reports;
             position_claim = _o536.position_claim;
             velocity_claim = _o536.velocity_claim;
             spin_claim = _o536.spin_claim;
             time_claim = _o536.time_claim;
-            if (closed) {
+            if (reports) {
                 const kernel_claimed_errors_out _o537 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
                 position_claim = _o537.position_error;
                 velocity_claim = _o537.velocity_error;
@@ -7930,6 +7941,12 @@ static __device__ __forceinline__ void court_loop(
         }
 
         if (_events && body >= 0.0) {
+            if (_errors) {
+                _errors[_used].time_error = time_claim;
+                _errors[_used].state_error[0] = position_claim;
+                _errors[_used].state_error[1] = velocity_claim;
+                _errors[_used].state_error[2] = spin_claim;
+            }
             court_event *const _event = _events + _used++;
             const long long _place = (long long)body, _staying = _place - 4;
             _event->shot = _first + _shot;

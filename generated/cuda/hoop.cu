@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation a07e4e9dc91760e5,
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation e119abfc0a713f2a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -84,6 +84,12 @@ struct hoop_event {
     long long shot, surface;
     double time, before[9], after[9];
     long long kind;
+};
+
+/* Bounds on the errors of such a row. */
+struct hoop_event_errors {
+    double time_error;
+    double state_error[3];
 };
 
 /* Position and velocity at time t of a flight.
@@ -979,16 +985,16 @@ static __device__ __forceinline__ kernel_clock_error_sum_out kernel_clock_error_
     return {delay + clock_error};
 }
 
-/* Whether a shot has ended and its errors are wanted; start values of their bounds.
-   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+/* Whether bounds on errors are wanted here, and their start values.
+   Table 1. 5 operations: 3 comparisons, 1 conjunction, 1 disjunction. */
 struct kernel_closing_out {
-    bool closed;
+    bool reports;
     float position_claim, velocity_claim, spin_claim, time_claim;
 };
 
 static __device__ __forceinline__ kernel_closing_out kernel_closing(float outcome, float claims)
 {
-    return {(((float)0.0) < claims) && (((float)0.0) <= outcome), (float)0.0, (float)0.0, (float)0.0, (float)0.0};
+    return {((((float)0.0) < claims) && (((float)0.0) <= outcome)) || (((float)1.0) < claims), (float)0.0, (float)0.0, (float)0.0, (float)0.0};
 }
 
 /* Whether a flight with these ends may come to a plate.
@@ -2490,7 +2496,8 @@ static __device__ __forceinline__ kernel_end_edge_out kernel_end_edge(double sla
    _results           the arrays of results, null for what is not wanted:
                       outcome, contacts, counts, first, time, state, time_error, state_error, uncertain;
                       and of the event log, which has _max_contacts + 1 rows
-                      for each shot, and of their number: events, event_counts */
+                      for each shot, of their number, and of bounds on their errors: events,
+                      event_counts, event_errors */
 
 /* The event loop. Without BOUNDS, what it guards is never compiled, and what it would assign stays as it starts.
    With `tightening` 1 bounds on errors are tightened, and only what needs them is written. Return whether
@@ -2507,7 +2514,7 @@ static __device__ __forceinline__ bool hoop_loop(
     const bool _tightens = BOUNDS && tightening > 0.0;
     const shot_parameters _given = {_values, _strides, _shot};
     const double most_contacts = (double)_max_contacts;
-    const double claims = BOUNDS && (_results[6] || _results[7]) ? 1.0 : 0.0;
+    const double claims = !BOUNDS ? 0.0 : _results[11] ? 2.0 : _results[6] || _results[7] ? 1.0 : 0.0;
     const double p_ball_radius = parameter(_given, 0);
     const double p_ring_radius = parameter(_given, 1);
     const double p_wire_radius = parameter(_given, 2);
@@ -2577,7 +2584,7 @@ static __device__ __forceinline__ bool hoop_loop(
         single_precision = false, hit = false, sure = false, needs_refinement = false,
         exhausted = false, refining = false, moves = false, ends = false, touches = false,
         edge = false, here = false, meeting = false, carries = false, tightens = false,
-        unbounded = false, ends_by_time_limit = false, closed = false, loose = false;
+        unbounded = false, ends_by_time_limit = false, reports = false, loose = false;
     x = _states[9 * _shot + 0];
     y = _states[9 * _shot + 1];
     z = _states[9 * _shot + 2];
@@ -2589,10 +2596,16 @@ static __device__ __forceinline__ bool hoop_loop(
     wz = _states[9 * _shot + 8];
     last = _leaving ? (double)_leaving[_shot] : -1.0;
 
-    hoop_event *_events = _tightens ? 0 : (hoop_event *)_results[9];
+    hoop_event *_events = (hoop_event *)_results[9];
+    hoop_event_errors *_errors = BOUNDS ? (hoop_event_errors *)_results[11] : 0;
+    if (_tightens && !_errors)
+        _events = 0;
     int _used = 0;
+    const long long _rows = _shot * (1 * (long long)_max_contacts + 1);
     if (_events)
-        _events += _shot * (1 * (long long)_max_contacts + 1);
+        _events += _rows;
+    if (_errors)
+        _errors += _rows;
 
     const kernel_allowed_out _o0 = kernel_allowed(_given);
     allowed = _o0.allowed;
@@ -3377,12 +3390,12 @@ static __device__ __forceinline__ bool hoop_loop(
                 }
             }
             const kernel_closing_out _o156 = kernel_closing(outcome, claims);
-            closed = _o156.closed;
+            reports = _o156.reports;
             position_claim = _o156.position_claim;
             velocity_claim = _o156.velocity_claim;
             spin_claim = _o156.spin_claim;
             time_claim = _o156.time_claim;
-            if (closed) {
+            if (reports) {
                 const kernel_claimed_errors_out _o157 = kernel_claimed_errors(clock_error, position_bound, velocity_bound, spin_bound);
                 position_claim = _o157.position_error;
                 velocity_claim = _o157.velocity_error;
@@ -3392,6 +3405,12 @@ static __device__ __forceinline__ bool hoop_loop(
         }
 
         if (_events && body >= 0.0) {
+            if (_errors) {
+                _errors[_used].time_error = time_claim;
+                _errors[_used].state_error[0] = position_claim;
+                _errors[_used].state_error[1] = velocity_claim;
+                _errors[_used].state_error[2] = spin_claim;
+            }
             hoop_event *const _event = _events + _used++;
             const long long _place = (long long)body, _staying = _place - 4;
             _event->shot = _first + _shot;

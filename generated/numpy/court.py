@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 92491f19bbe510a3,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 7bab8060f636f901,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -391,7 +391,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "expired": ("clock", "body", "reached", "ends",),
     "accounted": ("contacts", "outcome",),
     "clock_error_sum": ("clock_error",),
-    "closing": ("closed", "position_claim", "velocity_claim", "spin_claim", "time_claim",),
+    "closing": ("reports", "position_claim", "velocity_claim", "spin_claim", "time_claim",),
     "error_floor": ("dx", "dy", "dz",),
     "no_normal_error": ("dnx", "dny", "dnz", "turn",),
     "circles": ("circling", "rolling",),
@@ -1804,11 +1804,11 @@ def clock_error_sum(delay: Any, clock_error: Any) -> tuple[Any, ...]:
 
 
 def closing(outcome: Any, claims: Any) -> tuple[Any, ...]:
-    """Whether a shot has ended and its errors are wanted; start values of their bounds.
+    """Whether bounds on errors are wanted here, and their start values.
 
-    Table 1. 3 operations: 2 comparisons, 1 conjunction.
+    Table 1. 5 operations: 3 comparisons, 1 conjunction, 1 disjunction.
     """
-    return _logical_and((0.0 < claims), (0.0 <= outcome)), 0.0, 0.0, 0.0, 0.0
+    return _logical_or(_logical_and((0.0 < claims), (0.0 <= outcome)), (1.0 < claims)), 0.0, 0.0, 0.0, 0.0
 
 
 def error_floor(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
@@ -11949,11 +11949,11 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _room_1 = room(_count46)
         _dx_1, _dy_1, _dz_1 = carry_hop(_x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _when_1, _room_1)
         _dx_0, _dy_0, _dz_0 = _put(_rows45, shots, (_dx_0, _dy_0, _dz_0,), (_dx_1, _dy_1, _dz_1,), _hopped_0)
-    _closed_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_outcome_0, _claims_0)
-    _rows47, _count48 = _most(_closed_0, shots)
+    _reports_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_outcome_0, _claims_0)
+    _rows47, _count48 = _most(_reports_0, shots)
     if _count48:
         _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1 = _taken(_rows47, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0)
         _room_1 = room(_count48)
         _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _room_1)
-        _position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0 = _put(_rows47, shots, (_position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0,), (_position_claim_1, _spin_claim_1, _time_claim_1, _velocity_claim_1,), _closed_0)
+        _position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0 = _put(_rows47, shots, (_position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0,), (_position_claim_1, _spin_claim_1, _time_claim_1, _velocity_claim_1,), _reports_0)
     columns |= {"assured": _assured_0, "clock_error": _clock_error_0, "count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "dvx": _dvx_0, "dvy": _dvy_0, "dvz": _dvz_0, "dwx": _dwx_0, "dwy": _dwy_0, "dwz": _dwz_0, "dx": _dx_0, "dy": _dy_0, "dz": _dz_0, "first": _first_0, "held": _held_0, "last": _last_0, "mode": _mode_0, "outcome": _outcome_0, "position_claim": _position_claim_0, "slip_left": _slip_left_0, "spin_claim": _spin_claim_0, "time_claim": _time_claim_0, "uncertain": _uncertain_0, "velocity_claim": _velocity_claim_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }

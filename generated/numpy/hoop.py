@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation a07e4e9dc91760e5,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation e119abfc0a713f2a,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -403,7 +403,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "expired": ("clock", "body", "reached", "ends",),
     "accounted": ("contacts", "outcome",),
     "clock_error_sum": ("clock_error",),
-    "closing": ("closed", "position_claim", "velocity_claim", "spin_claim", "time_claim",),
+    "closing": ("reports", "position_claim", "velocity_claim", "spin_claim", "time_claim",),
     "reachable": ("reachable",),
     "plane_start": ("undecided_time",),
     "tighten_impact": ("place_n", "place_s", "place_e", "pace_n", "pace_s", "pace_e", "turn_n", "turn_z", "position_bound", "velocity_bound", "spin_bound", "left_nx", "left_ny", "left_nz", "left_ex", "left_ey", "left_bend_s", "left_bend_e", "delay", "origin_s", "origin_e", "origin_u", "origin_v", "origin_w", "origin_t", "recent_s", "recent_e", "recent_u", "recent_v", "recent_w", "recent_t", "product_11", "product_12", "product_13", "product_14", "product_15", "product_16", "product_21", "product_22", "product_23", "product_24", "product_25", "product_26", "product_31", "product_32", "product_33", "product_34", "product_35", "product_36", "product_41", "product_42", "product_43", "product_44", "product_45", "product_46", "product_51", "product_52", "product_53", "product_54", "product_55", "product_56", "product_61", "product_62", "product_63", "product_64", "product_65", "product_66", "continued",),
@@ -554,21 +554,21 @@ _k56 = _float64(5.960464477539063e-08)
 _k57 = _scalar(1073741824.0)
 _k58 = _float64(-1.0)
 _k59 = _float64(3.0)
-_k60 = _scalar(9.313225746154785e-10)
-_k61 = _scalar(1.0000000000009095)
-_k62 = _float64(1.0000000000009095)
-_k63 = _scalar(_float32(7.62939453125e-06))
-_k64 = _scalar(_float32(1.02))
-_k65 = _scalar(_float32(100.0))
-_k66 = _scalar(_float32(1.0))
-_k67 = _scalar(_float32(4194304.0))
-_k68 = _scalar(_float32(9.5367431640625e-07))
-_k69 = _float32(0.6)
-_k70 = _float32(0.4)
-_k71 = _scalar(_float32(1.5543122344752192e-15))
-_k72 = _scalar(_float32(4.0))
-_k73 = _scalar(_float32(0.6))
-_k74 = _float32(1.0)
+_k60 = _float32(1.0)
+_k61 = _scalar(9.313225746154785e-10)
+_k62 = _scalar(1.0000000000009095)
+_k63 = _float64(1.0000000000009095)
+_k64 = _scalar(_float32(7.62939453125e-06))
+_k65 = _scalar(_float32(1.02))
+_k66 = _scalar(_float32(100.0))
+_k67 = _scalar(_float32(1.0))
+_k68 = _scalar(_float32(4194304.0))
+_k69 = _scalar(_float32(9.5367431640625e-07))
+_k70 = _float32(0.6)
+_k71 = _float32(0.4)
+_k72 = _scalar(_float32(1.5543122344752192e-15))
+_k73 = _scalar(_float32(4.0))
+_k74 = _scalar(_float32(0.6))
 _k75 = _scalar(_float32(0.421875))
 _k76 = _scalar(_float32(0.578125))
 _k77 = _scalar(_float32(0.25))
@@ -1482,12 +1482,12 @@ def clock_error_sum(delay: Any, clock_error: Any) -> tuple[Any, ...]:
 
 
 def closing(outcome: Any, claims: Any) -> tuple[Any, ...]:
-    """Whether a shot has ended and its errors are wanted; start values of their bounds.
+    """Whether bounds on errors are wanted here, and their start values.
 
-    Table 1. 3 operations: 2 comparisons, 1 conjunction.
+    Table 1. 5 operations: 3 comparisons, 1 conjunction, 1 disjunction.
     """
     outcome, claims, = [_single(value) for value in (outcome, claims,)]
-    return _logical_and((_float32(0.0) < claims), (_float32(0.0) <= outcome)), _float32(0.0), _float32(0.0), _float32(0.0), _float32(0.0)
+    return _logical_or(_logical_and((_float32(0.0) < claims), (_float32(0.0) <= outcome)), (_float32(1.0) < claims)), _float32(0.0), _float32(0.0), _float32(0.0), _float32(0.0)
 
 
 def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_gravity: Any, p_ring_radius: Any, x: Any, vx: Any, horizon: Any, extent: Any, speed: Any, pad: Any, earliest_delay: Any, position_error: Any, velocity_error: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1496,7 +1496,7 @@ def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: An
     Table 1. 34 operations: 6 additions, 3 subtractions, 10 multiplications, 1 negation, 7 comparisons, 2 conjunctions, 1 complement, 4 selections.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
-    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k60, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k61, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
     _s1 = _select(pad < earliest_delay, _k8, _s0, _r0)
     _s2 = _add(x, _multiply(vx, horizon, _r2), _r2)
     _s3 = _select(_s2 < x, _s2, x, _r3)
@@ -1504,7 +1504,7 @@ def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: An
     _s5 = -p_board_distance
     _s6 = _select(_s3 < _s5, _s5, _s3, _r5)
     _s7 = _select(_k7 < _s6, _k7, _s6, _r6)
-    _s8 = _logical_and((_s1 < _subtract(_s3, p_ball_radius - p_board_distance, _r7)), _logical_and((_k7 < _s4), (_multiply(_k61, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s7, _s7, _r6), _r6), _r6) < _multiply(_s4, _s4, _r4))))
+    _s8 = _logical_and((_s1 < _subtract(_s3, p_ball_radius - p_board_distance, _r7)), _logical_and((_k7 < _s4), (_multiply(_k62, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s7, _s7, _r6), _r6), _r6) < _multiply(_s4, _s4, _r4))))
     return _logical_not(_s8),
 
 
@@ -1567,8 +1567,8 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s39 = _add(_add(_s1, _s4, _r36), _s38, _r36)
     _s40 = _add(_multiply(place_s, left_bend_s, _r37), _multiply(place_e, left_bend_e, _r38), _r38)
     _s41 = _multiply(_add(_s37, _s39, _r37), _s40, _r37)
-    _s42 = _multiply(_k63, _add(_multiply(t, _s41, _r39), _s9, _r39), _r39)
-    _s43 = _add(_add(_add(root_offset, _multiply(_multiply(_k64, _multiply(sharpest_bend, _s9, _r40), _r40), _s9, _r40), _r40), _add(_s35, _multiply(pace_e, _absolute(_s36, _r41), _r41), _r41), _r41), _s42, _r41)
+    _s42 = _multiply(_k64, _add(_multiply(t, _s41, _r39), _s9, _r39), _r39)
+    _s43 = _add(_add(_add(root_offset, _multiply(_multiply(_k65, _multiply(sharpest_bend, _s9, _r40), _r40), _s9, _r40), _r40), _add(_s35, _multiply(pace_e, _absolute(_s36, _r41), _r41), _r41), _r41), _s42, _r41)
     _s44 = _absolute(normal_velocity, _r40)
     _s45 = _divide(_multiply(_k26, _s43, _r41), _s44, _r41)
     _s46 = _add(_k24, _multiply(_k25, _add(_add(_add(_s37, _s1, _r34), _s4, _r34), _s38, _r34), _r34), _r34)
@@ -1576,20 +1576,20 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s48 = _add(_multiply(p_gravity, _s45, _r3), _s47, _r3)
     _s49 = _add(_s48, _s39, _r1)
     _s50 = _add(_multiply(_s45, _s49, _r32), _s9, _r32)
-    _s51 = _multiply(_k64, sharpest_bend, _r7)
+    _s51 = _multiply(_k65, sharpest_bend, _r7)
     _s52 = _multiply(_s51, _s50, _r42)
     _s53 = _subtract(_multiply(_k28, _add(_add(_multiply(_absolute(_s0, _r43), _s45, _r43), _multiply(_s52, _s49, _r44), _r44), _s47, _r44), _r44), _s44, _r44)
-    _s54 = _subtract(_multiply(_k65, _multiply(sharpest_bend, _s50, _r43), _r43), _k66, _r43)
+    _s54 = _subtract(_multiply(_k66, _multiply(sharpest_bend, _s50, _r43), _r43), _k67, _r43)
     _s55 = _select(_s53 < _s54, _s54, _s53, _r45)
     _s56 = _add(_multiply(_s6, _multiply(_s45, _s45, _r46), _r46), _multiply(_s45, _s47, _r35), _r35)
     _s57 = _divide(_add(_multiply(_s52, _s50, _r46), _s56, _r46), _s44, _r46)
     _s58 = _add(_multiply(_s57, _s39, _r47), _s56, _r47)
     _s59 = _add(_add(root_level, _s58, _r35), _add(_add(_multiply(_absolute(nx, _r48), _s3, _r48), _multiply(_absolute(ny, _r49), _s5, _r49), _r49), _multiply(_absolute(nz, _r48), _s8, _r48), _r48), _r48)
     _s60 = _multiply(bend_s, _s59, _r35)
-    _s61 = _subtract(_multiply(_k67, _add(_multiply(place_n, left_bend_s, _r49), _s60, _r49), _r49), _k66, _r49)
+    _s61 = _subtract(_multiply(_k68, _add(_multiply(place_n, left_bend_s, _r49), _s60, _r49), _r49), _k67, _r49)
     _s62 = _multiply(_k27, _s59, _r48)
     _s63 = _select(_s55 < _s61, _s61, _s55, _r50) <= _k29
-    _s64 = _divide(_k66, normal_velocity, _r50)
+    _s64 = _divide(_k67, normal_velocity, _r50)
     _s65 = _negative(_multiply(_s64, _s36, _r33), _r33)
     _s66 = _add(_multiply(_s65, _s20, _r49), _multiply(t, _s14, _r45), _r45)
     _s67 = _k29 < continued
@@ -1612,18 +1612,18 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s84 = _multiply(left_bend_s, _s31, _r59)
     _s85 = _subtract(_multiply(_s18, _s83, _r60), _multiply(_s84, _s16, _r61), _r61)
     _s86 = _add(_multiply(_s82, _s20, _r60), _add(_multiply(t, _s85, _r62), _s74, _r62), _r62)
-    _s87 = _select(_s67, product_11, _k66, _r60)
+    _s87 = _select(_s67, product_11, _k67, _r60)
     _s88 = _add(_add(_add(_multiply(_s66, _s68, _r63), _multiply(_s71, _s72, _r64), _r64), _multiply(_s75, _s76, _r63), _r63), _multiply(_s80, _s81, _r64), _r64) + _multiply(_s86, _s87, _r63)
     _s89 = _result(_s67, origin_s, place_s, _r0)
     _s90 = _select(_s67, product_52, _k29, _r63)
     _s91 = _select(_s67, product_32, _k29, _r64)
     _s92 = _select(_s67, product_42, _k29, _r65)
-    _s93 = _select(_s67, product_22, _k66, _r66)
+    _s93 = _select(_s67, product_22, _k67, _r66)
     _s94 = _select(_s67, product_12, _k29, _r67)
     _s95 = _add(_add(_add(_multiply(_s66, _s90, _r68), _multiply(_s71, _s91, _r69), _r69), _multiply(_s75, _s92, _r68), _r68), _multiply(_s80, _s93, _r69), _r69) + _multiply(_s86, _s94, _r68)
     _s96 = _result(_s67, origin_e, place_e, _r0)
     _s97 = _select(_s67, product_53, _k29, _r68)
-    _s98 = _select(_s67, product_33, _k66, _r69)
+    _s98 = _select(_s67, product_33, _k67, _r69)
     _s99 = _select(_s67, product_43, _k29, _r70)
     _s100 = _select(_s67, product_23, _k29, _r71)
     _s101 = _select(_s67, product_13, _k29, _r72)
@@ -1631,12 +1631,12 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s103 = _result(_s67, origin_u, pace_n, _r0)
     _s104 = _select(_s67, product_54, _k29, _r73)
     _s105 = _select(_s67, product_34, _k29, _r74)
-    _s106 = _select(_s67, product_44, _k66, _r75)
+    _s106 = _select(_s67, product_44, _k67, _r75)
     _s107 = _select(_s67, product_24, _k29, _r76)
     _s108 = _select(_s67, product_14, _k29, _r77)
     _s109 = _add(_add(_add(_multiply(_s66, _s104, _r78), _multiply(_s71, _s105, _r79), _r79), _multiply(_s75, _s106, _r78), _r78), _multiply(_s80, _s107, _r79), _r79) + _multiply(_s86, _s108, _r78)
     _s110 = _result(_s67, origin_v, pace_s, _r0)
-    _s111 = _select(_s67, product_55, _k66, _r78)
+    _s111 = _select(_s67, product_55, _k67, _r78)
     _s112 = _select(_s67, product_35, _k29, _r79)
     _s113 = _select(_s67, product_45, _k29, _r80)
     _s114 = _select(_s67, product_25, _k29, _r81)
@@ -1655,15 +1655,15 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s127 = _absolute(_s20, _r83)
     _s128 = _divide(_add(root_offset, _s42, _r90), _s44, _r90)
     _s129 = _add(_multiply(_s127, _s128, _r91), _add(_add(_multiply(_absolute(_s13, _r92), _s5, _r92), _multiply(_absolute(_s12, _r93), _s3, _r93), _r93), _multiply(_absolute(_s19, _r92), _s8, _r92), _r92), _r92)
-    _s130 = _add(_add(_s58, _multiply(_k63, _s50, _r32), _r32), _s42, _r32)
+    _s130 = _add(_add(_s58, _multiply(_k64, _s50, _r32), _r32), _s42, _r32)
     _s131 = _negative(_multiply(_s64, _s11, _r50), _r50)
     _s132 = _add(_multiply(_s131, _s20, _r8), _s70, _r8)
-    _s133 = _add(_multiply(_k68, pace_e, _r39), _select(_s67, recent_w, _k29, _r91), _r91)
-    _s134 = _add(_multiply(_k68, pace_n, _r39), _select(_s67, recent_u, _k29, _r93), _r93)
-    _s135 = _add(_multiply(_k68, pace_s, _r39), _select(_s67, recent_v, _k29, _r94), _r94)
-    _s136 = _add(_multiply(_k68, place_e, _r39), _select(_s67, recent_e, _k29, _r95), _r95)
+    _s133 = _add(_multiply(_k69, pace_e, _r39), _select(_s67, recent_w, _k29, _r91), _r91)
+    _s134 = _add(_multiply(_k69, pace_n, _r39), _select(_s67, recent_u, _k29, _r93), _r93)
+    _s135 = _add(_multiply(_k69, pace_s, _r39), _select(_s67, recent_v, _k29, _r94), _r94)
+    _s136 = _add(_multiply(_k69, place_e, _r39), _select(_s67, recent_e, _k29, _r95), _r95)
     _s137 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s132, _r39), _r39), _multiply(_absolute(_s66, _r96), _s133, _r96), _r96), _multiply(_absolute(_s71, _r39), _s134, _r39), _r39), _multiply(_absolute(_s75, _r96), _s135, _r96), _r96), _multiply(_absolute(_s80, _r39), _s136, _r39), _r39)
-    _s138 = _add(_multiply(_k68, place_s, _r96), _select(_s67, recent_s, _k29, _r97), _r97)
+    _s138 = _add(_multiply(_k69, place_s, _r96), _select(_s67, recent_s, _k29, _r97), _r97)
     _s139 = _k27 * _add(_add(_s129, _s130, _r96), _add(_s137, _multiply(_absolute(_s86, _r98), _s138, _r98), _r98), _r98)
     _s140 = _multiply(_k27, _add(_s126, _s139, _r98), _r98)
     _s141 = _add(_multiply(_s65, _s16, _r96), _multiply(t, _s17, _r39), _r39)
@@ -1711,14 +1711,14 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s183 = _add(_s181, _multiply(_absolute(_s182, _r113), _s125, _r113), _r113)
     _s184 = _add(_multiply(p_gravity, _s128, _r90), _s46, _r90)
     _s185 = _add(_s184, _add(_multiply(_absolute(_s166, _r6), _s129, _r6), _multiply(_absolute(_s169, _r107), _s160, _r107), _r107), _r107)
-    _s186 = _k69 + p_restitution
-    _s187 = _k70 * p_ball_radius
+    _s186 = _k70 + p_restitution
+    _s187 = _k71 * p_ball_radius
     _s188 = _add(normal_rounding, _s60, _r6)
     _s189 = _add(_add(_absolute(wx, _r34), _absolute(wy, _r109), _r109), _absolute(wz, _r34), _r34)
     _s190 = _multiply(_multiply(_s187, _s188, _r109), _s189, _r109)
     _s191 = _multiply(p_ball_radius, _s189, _r114)
     _s192 = _add(_s191, _s39, _r115)
-    _s193 = _add(_k24, _multiply(_k71, _s192, _r116), _r116)
+    _s193 = _add(_k24, _multiply(_k72, _s192, _r116), _r116)
     _s194 = _multiply(p_gravity, _s57, _r46)
     _s195 = _k36 * _s186
     _s196 = _multiply(_add(bend_s, bend_e, _r117), _s130, _r117)
@@ -1726,7 +1726,7 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s198 = _add(_multiply(_s51, _s58, _r47), _multiply(_k22, _s197, _r7), _r7)
     _s199 = _add(_add(_add(_s194, _multiply(_s52, _add(_multiply(spin_bound, _s187, _r47), _multiply(_s195, _s48, _r118), _r118), _r118), _r118), _multiply(_s196, _s192, _r47), _r47), _multiply(_s198, _add(_multiply(_s187, _s189, _r118), _multiply(_s195, _s39, _r119), _r119), _r119), _r119)
     _s200 = _add(spin_bound, _multiply(_s40, _s189, _r38), _r38)
-    _s201 = _multiply(_k63, _add(_add(_multiply(p_ball_radius, _s200, _r47), _multiply(_s52, _add(_s191, _multiply(_k72, _s39, _r118), _r118), _r118), _r118), _multiply(_k22, _add(_s41, _s48, _r37), _r37), _r37), _r37)
+    _s201 = _multiply(_k64, _add(_add(_multiply(p_ball_radius, _s200, _r47), _multiply(_s52, _add(_s191, _multiply(_k73, _s39, _r118), _r118), _r118), _r118), _multiply(_k22, _add(_s41, _s48, _r37), _r37), _r37), _r37)
     _s202 = _add(_add(_s199, _multiply(_multiply(_s197, _s186, _r118), _s49, _r118), _r118), _s201, _r118)
     _s203 = _add(_add(_multiply(p_restitution, _s185, _r119), _multiply(_s186, _add(_multiply(normal_rounding, _add(_s39, _s44, _r1), _r1), _multiply(_multiply(_k22, _s60, _r35), _s44, _r35), _r35), _r35), _r35), _add(_add(_s190, _s193, _r119), _s202, _r119), _r119)
     _s204 = _add(_multiply(place_n, _absolute(_subtract(_subtract(_multiply(_s165, _s131, _r0), _multiply(_s167, _s132, _r105), _r105), _multiply(_s170, _s161, _r108), _r108), _r108), _r108), _multiply(_absolute(_s171, _r110), _s133, _r110), _r110)
@@ -1735,24 +1735,24 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s207 = _multiply(_k27, _add(_s183, _s206, _r21), _r21)
     _s208 = _multiply(_s187, _s142, _r119)
     _s209 = _select(_s67, product_61, _k29, _r27)
-    _s210 = _multiply(_k73, _s21, _r18)
-    _s211 = _k74 / p_ball_radius
+    _s210 = _multiply(_k74, _s21, _r18)
+    _s211 = _k60 / p_ball_radius
     _s212 = _add(_add(_multiply(wx, _s12, _r9), _multiply(wy, _s13, _r10), _r10), _multiply(wz, _s19, _r9), _r9)
     _s213 = _add(_add(_multiply(nx, wx, _r10), _multiply(ny, wy, _r112), _r112), _multiply(nz, wz, _r10), _r10)
     _s214 = _multiply(_s19, _s213, _r112)
     _s215 = _multiply(bend_e, _subtract(_multiply(nz, _s212, _r111), _s214, _r111), _r111)
     _s216 = _multiply(nz, bend_e, _r110)
     _s217 = _negative(_multiply(_s216, _s16, _r108), _r108)
-    _s218 = _add(_multiply(_s187, _s215, _r105), _multiply(_k73, _s217, _r0), _r0)
-    _s219 = _subtract(_add(_multiply(_s65, _s210, _r33), _add(_multiply(_s187, _negative(_multiply(_s211, _s144, _r105), _r105), _r105), _multiply(_k73, _s14, _r35), _r35), _r35), _multiply(_s218, _s141, _r33), _r33)
+    _s218 = _add(_multiply(_s187, _s215, _r105), _multiply(_k74, _s217, _r0), _r0)
+    _s219 = _subtract(_add(_multiply(_s65, _s210, _r33), _add(_multiply(_s187, _negative(_multiply(_s211, _s144, _r105), _r105), _r105), _multiply(_k74, _s14, _r35), _r35), _r35), _multiply(_s218, _s141, _r33), _r33)
     _s220 = _multiply(bend_s, normal_velocity, _r35)
-    _s221 = _multiply(_k73, _s220, _r105)
+    _s221 = _multiply(_k74, _s220, _r105)
     _s222 = _subtract(_s219, _multiply(_s66, _s221, _r1), _r1)
-    _s223 = _subtract(_subtract(_add(_multiply(_s69, _s210, _r30), _multiply(_k73, _s70, _r33), _r33), _multiply(_s218, _s143, _r30), _r30), _multiply(_s71, _s221, _r33), _r33)
-    _s224 = _subtract(_subtract(_add(_multiply(_s73, _s210, _r31), _add(_multiply(_s187, _multiply(_s211, _s17, _r30), _r30), _multiply(_k73, _s74, _r47), _r47), _r47), _multiply(_s218, _s145, _r31), _r31), _multiply(_s75, _s221, _r47), _r47)
-    _s225 = _subtract(_add(_multiply(_s77, _s210, _r28), _add(_multiply(_s187, _subtract(_multiply(_s78, _s212, _r31), _multiply(_s29, _s213, _r30), _r30), _r30), _multiply(_k73, _s79, _r55), _r55), _r55), _multiply(_s218, _s147, _r28), _r28)
+    _s223 = _subtract(_subtract(_add(_multiply(_s69, _s210, _r30), _multiply(_k74, _s70, _r33), _r33), _multiply(_s218, _s143, _r30), _r30), _multiply(_s71, _s221, _r33), _r33)
+    _s224 = _subtract(_subtract(_add(_multiply(_s73, _s210, _r31), _add(_multiply(_s187, _multiply(_s211, _s17, _r30), _r30), _multiply(_k74, _s74, _r47), _r47), _r47), _multiply(_s218, _s145, _r31), _r31), _multiply(_s75, _s221, _r47), _r47)
+    _s225 = _subtract(_add(_multiply(_s77, _s210, _r28), _add(_multiply(_s187, _subtract(_multiply(_s78, _s212, _r31), _multiply(_s29, _s213, _r30), _r30), _r30), _multiply(_k74, _s79, _r55), _r55), _r55), _multiply(_s218, _s147, _r28), _r28)
     _s226 = _subtract(_s225, _multiply(_s80, _s221, _r55), _r55)
-    _s227 = _subtract(_add(_multiply(_s82, _s210, _r25), _add(_multiply(_s187, _subtract(_multiply(_s84, _s212, _r28), _multiply(_s15, _s213, _r30), _r30), _r30), _multiply(_k73, _s85, _r61), _r61), _r61), _multiply(_s218, _s149, _r25), _r25)
+    _s227 = _subtract(_add(_multiply(_s82, _s210, _r25), _add(_multiply(_s187, _subtract(_multiply(_s84, _s212, _r28), _multiply(_s15, _s213, _r30), _r30), _r30), _multiply(_k74, _s85, _r61), _r61), _r61), _multiply(_s218, _s149, _r25), _r25)
     _s228 = _subtract(_s227, _multiply(_s86, _s221, _r61), _r61)
     _s229 = _add(_add(_add(_add(_multiply(_s208, _s209, _r25), _multiply(_s222, _s68, _r30), _r30), _multiply(_s223, _s72, _r25), _r25), _multiply(_s224, _s76, _r30), _r30), _multiply(_s226, _s81, _r25), _r25) + _multiply(_s228, _s87, _r30)
     _s230 = _select(_s67, product_62, _k29, _r30)
@@ -1764,7 +1764,7 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s236 = _select(_s67, product_65, _k29, _r114)
     _s237 = _add(_add(_add(_add(_multiply(_s208, _s236, _r25), _multiply(_s222, _s111, _r120), _r120), _multiply(_s223, _s112, _r25), _r25), _multiply(_s224, _s113, _r120), _r120), _multiply(_s226, _s114, _r25), _r25) + _multiply(_s228, _s115, _r120)
     _s238 = _add(_add(_add(_add(_multiply(_absolute(_s229, _r120), _s89, _r120), _multiply(_absolute(_s231, _r25), _s96, _r25), _r25), _multiply(_absolute(_s233, _r120), _s103, _r120), _r120), _multiply(_absolute(_s235, _r25), _s110, _r25), _r25), _multiply(_absolute(_s237, _r120), _s117, _r120), _r120)
-    _s239 = _select(_s67, product_66, _k66, _r25)
+    _s239 = _select(_s67, product_66, _k67, _r25)
     _s240 = _add(_add(_add(_add(_multiply(_s208, _s239, _r121), _multiply(_s222, _s119, _r122), _r122), _multiply(_s223, _s120, _r121), _r121), _multiply(_s224, _s121, _r122), _r122), _multiply(_s226, _s122, _r121), _r121) + _multiply(_s228, _s123, _r122)
     _s241 = _add(_s238, _multiply(_absolute(_s240, _r122), _s125, _r122), _r122)
     _s242 = _multiply(_s159, _s129, _r120)
@@ -1772,10 +1772,10 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s244 = _add(_s184, _add(_multiply(_absolute(_s220, _r35), _s129, _r35), _multiply(_absolute(_s217, _r108), _s160, _r108), _r108), _r108)
     _s245 = _add(_add(_add(_multiply(_multiply(normal_rounding, _s186, _r35), _s44, _r35), _s190, _r35), _s193, _r35), _s202, _r35)
     _s246 = _add(_multiply(place_n, _absolute(_subtract(_subtract(_multiply(_s131, _s210, _r18), _multiply(_s218, _s161, _r0), _r0), _multiply(_s132, _s221, _r105), _r105), _r105), _r105), _multiply(turn_z, _absolute(_multiply(_s187, _s17, _r0), _r0), _r0), _r0)
-    _s247 = _add(_multiply(_k68, turn_n, _r105), _select(_s67, recent_t, _k29, _r18), _r18)
+    _s247 = _add(_multiply(_k69, turn_n, _r105), _select(_s67, recent_t, _k29, _r18), _r18)
     _s248 = _add(_add(_add(_s246, _multiply(turn_z, _absolute(_multiply(_s187, _s144, _r105), _r105), _r105), _r105), _multiply(_absolute(_s208, _r119), _s247, _r119), _r119), _multiply(_absolute(_s222, _r1), _s133, _r1), _r1)
     _s249 = _add(_add(_add(_add(_s248, _multiply(_absolute(_s223, _r33), _s134, _r33), _r33), _multiply(_absolute(_s224, _r47), _s135, _r47), _r47), _multiply(_absolute(_s226, _r55), _s136, _r55), _r55), _multiply(_absolute(_s228, _r61), _s138, _r61), _r61)
-    _s250 = _k27 * _add(_add(_add(_multiply(_s187, _s243, _r55), _multiply(_k73, _s244, _r47), _r47), _s245, _r47), _s249, _r61)
+    _s250 = _k27 * _add(_add(_add(_multiply(_s187, _s243, _r55), _multiply(_k74, _s244, _r47), _r47), _s245, _r47), _s249, _r61)
     _s251 = _multiply(_k27, _add(_s241, _s250, _r61), _r61)
     _s252 = _negative(_multiply(_s187, _s70, _r43), _r43)
     _s253 = _multiply(bend_s, _s213, _r47)
@@ -1783,12 +1783,12 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s255 = _multiply(bend_e, _subtract(_multiply(nz, _s20, _r33), _multiply(normal_velocity, _s19, _r1), _r1), _r1)
     _s256 = _add(_multiply(wx, tangent_x, _r33), _multiply(wy, tangent_y, _r119), _r119)
     _s257 = _negative(_multiply(_s216, _s256, _r33), _r33)
-    _s258 = _subtract(_multiply(_k73, _s255, _r105), _multiply(_s187, _s257, _r0), _r0)
-    _s259 = _subtract(_subtract(_subtract(_multiply(_k73, _s17, _r15), _multiply(_s187, _negative(_multiply(_s211, _s74, _r105), _r105), _r105), _r105), _multiply(_s254, _s66, _r15), _r15), _multiply(_s258, _s141, _r105), _r105)
-    _s260 = _subtract(_subtract(_multiply(_k73, _s142, _r99), _multiply(_s254, _s71, _r15), _r15), _multiply(_s258, _s143, _r99), _r99)
-    _s261 = _subtract(_subtract(_subtract(_multiply(_k73, _s144, _r22), _multiply(_s187, _multiply(_s211, _s14, _r15), _r15), _r15), _multiply(_s254, _s75, _r22), _r22), _multiply(_s258, _s145, _r15), _r15)
-    _s262 = _subtract(_subtract(_subtract(_multiply(_k73, _s146, _r101), _multiply(_s187, _negative(_multiply(_s78, _s256, _r54), _r54), _r54), _r54), _multiply(_s254, _s80, _r101), _r101), _multiply(_s258, _s147, _r54), _r54)
-    _s263 = _subtract(_subtract(_subtract(_multiply(_k73, _s148, _r58), _multiply(_s187, _subtract(_multiply(_s18, _s213, _r10), _multiply(_s84, _s256, _r59), _r59), _r59), _r59), _multiply(_s254, _s86, _r58), _r58), _multiply(_s258, _s149, _r59), _r59)
+    _s258 = _subtract(_multiply(_k74, _s255, _r105), _multiply(_s187, _s257, _r0), _r0)
+    _s259 = _subtract(_subtract(_subtract(_multiply(_k74, _s17, _r15), _multiply(_s187, _negative(_multiply(_s211, _s74, _r105), _r105), _r105), _r105), _multiply(_s254, _s66, _r15), _r15), _multiply(_s258, _s141, _r105), _r105)
+    _s260 = _subtract(_subtract(_multiply(_k74, _s142, _r99), _multiply(_s254, _s71, _r15), _r15), _multiply(_s258, _s143, _r99), _r99)
+    _s261 = _subtract(_subtract(_subtract(_multiply(_k74, _s144, _r22), _multiply(_s187, _multiply(_s211, _s14, _r15), _r15), _r15), _multiply(_s254, _s75, _r22), _r22), _multiply(_s258, _s145, _r15), _r15)
+    _s262 = _subtract(_subtract(_subtract(_multiply(_k74, _s146, _r101), _multiply(_s187, _negative(_multiply(_s78, _s256, _r54), _r54), _r54), _r54), _multiply(_s254, _s80, _r101), _r101), _multiply(_s258, _s147, _r54), _r54)
+    _s263 = _subtract(_subtract(_subtract(_multiply(_k74, _s148, _r58), _multiply(_s187, _subtract(_multiply(_s18, _s213, _r10), _multiply(_s84, _s256, _r59), _r59), _r59), _r59), _multiply(_s254, _s86, _r58), _r58), _multiply(_s258, _s149, _r59), _r59)
     _s264 = _add(_add(_add(_add(_multiply(_s252, _s209, _r58), _multiply(_s259, _s68, _r10), _r10), _multiply(_s260, _s72, _r58), _r58), _multiply(_s261, _s76, _r10), _r10), _multiply(_s262, _s81, _r58), _r58) + _multiply(_s263, _s87, _r10)
     _s265 = _add(_add(_add(_add(_multiply(_s252, _s230, _r10), _multiply(_s259, _s90, _r58), _r58), _multiply(_s260, _s91, _r10), _r10), _multiply(_s261, _s92, _r58), _r58), _multiply(_s262, _s93, _r10), _r10) + _multiply(_s263, _s94, _r58)
     _s266 = _add(_add(_add(_add(_multiply(_s252, _s232, _r58), _multiply(_s259, _s97, _r10), _r10), _multiply(_s260, _s98, _r58), _r58), _multiply(_s261, _s99, _r10), _r10), _multiply(_s262, _s100, _r58), _r58) + _multiply(_s263, _s101, _r10)
@@ -1803,7 +1803,7 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s275 = _add(_multiply(place_n, _absolute(_negative(_add(_multiply(_s254, _s132, _r55), _multiply(_s258, _s161, _r0), _r0), _r0), _r0), _r0), _multiply(turn_z, _absolute(_negative(_multiply(_s187, _s14, _r12), _r12), _r12), _r12), _r12)
     _s276 = _add(_add(_s275, _multiply(turn_z, _absolute(_negative(_multiply(_s187, _s74, _r24), _r24), _r24), _r24), _r24), _multiply(_absolute(_s252, _r43), _s247, _r43), _r43)
     _s277 = _add(_add(_add(_add(_s276, _multiply(_absolute(_s259, _r105), _s133, _r105), _r105), _multiply(_absolute(_s260, _r99), _s134, _r99), _r99), _multiply(_absolute(_s261, _r15), _s135, _r15), _r15), _multiply(_absolute(_s262, _r54), _s136, _r54), _r54)
-    _s278 = _k27 * _add(_add(_add(_multiply(_s187, _s273, _r15), _multiply(_k73, _s274, _r99), _r99), _s245, _r99), _add(_s277, _multiply(_absolute(_s263, _r59), _s138, _r59), _r59), _r59)
+    _s278 = _k27 * _add(_add(_add(_multiply(_s187, _s273, _r15), _multiply(_k74, _s274, _r99), _r99), _s245, _r99), _add(_s277, _multiply(_absolute(_s263, _r59), _s138, _r59), _r59), _r59)
     _s279 = _multiply(_k27, _add(_s271, _s278, _r59), _r59)
     _s280 = _negative(_multiply(bend_s, _s212, _r99), _r99)
     _s281 = _multiply(_s168, _s256, _r54)
@@ -1821,11 +1821,11 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s293 = _add(_add(_add(_add(_multiply(_s282, _s120, _r85), _multiply(_s10, _s239, _r25), _r25), _multiply(_s283, _s119, _r84), _r84), _multiply(_s284, _s121, _r86), _r86), _multiply(_s285, _s122, _r87), _r87) + _multiply(_s286, _s123, _r88)
     _s294 = _add(_s292, _multiply(_absolute(_s293, _r88), _s125, _r88), _r88)
     _s295 = _add(_multiply(_absolute(_s280, _r82), _s129, _r82), _multiply(_absolute(_s281, _r92), _s160, _r92), _r92)
-    _s296 = _k69 * _s211
+    _s296 = _k70 * _s211
     _s297 = _add(_multiply(_s211, _s39, _r82), _s189, _r82)
     _s298 = _add(_add(_add(_multiply(_s211, _add(_s194, _s201, _r37), _r37), _multiply(_s52, _add(_multiply(_k22, spin_bound, _r46), _multiply(_s296, _s48, _r3), _r3), _r3), _r3), _multiply(_s197, _add(spin_bound, _s189, _r37), _r37), _r37), _multiply(_s196, _s297, _r117), _r117)
-    _s299 = _add(_add(_s298, _multiply(_s198, _add(_multiply(_s296, _s39, _r37), _multiply(_k22, _s189, _r3), _r3), _r3), _r3), _multiply(_k63, _add(_multiply(_s52, _s189, _r42), _s200, _r42), _r42), _r42)
-    _s300 = _add(_add(_add(_add(_multiply(_s211, _s193, _r3), _multiply(_k22, _multiply(_s188, _s189, _r38), _r38), _r38), _multiply(_k73, _multiply(_multiply(normal_rounding, _s211, _r3), _s39, _r3), _r3), _r3), _s295, _r3), _s299, _r3)
+    _s299 = _add(_add(_s298, _multiply(_s198, _add(_multiply(_s296, _s39, _r37), _multiply(_k22, _s189, _r3), _r3), _r3), _r3), _multiply(_k64, _add(_multiply(_s52, _s189, _r42), _s200, _r42), _r42), _r42)
+    _s300 = _add(_add(_add(_add(_multiply(_s211, _s193, _r3), _multiply(_k22, _multiply(_s188, _s189, _r38), _r38), _r38), _multiply(_k74, _multiply(_multiply(normal_rounding, _s211, _r3), _s39, _r3), _r3), _r3), _s295, _r3), _s299, _r3)
     _s301 = _add(_multiply(place_n, _absolute(_negative(_add(_multiply(_s280, _s132, _r99), _multiply(_s281, _s161, _r54), _r54), _r54), _r54), _r54), _multiply(turn_z, _absolute(_s31, _r29), _r29), _r29)
     _s302 = _add(_add(_add(_add(_s301, _multiply(turn_z, _absolute(_s27, _r23), _r23), _r23), _multiply(_absolute(_s282, _r100), _s134, _r100), _r100), _multiply(_absolute(_s10, _r2), _s247, _r2), _r2), _multiply(_absolute(_s283, _r39), _s133, _r39), _r39)
     _s303 = _add(_s300, _add(_add(_add(_s302, _multiply(_absolute(_s284, _r96), _s135, _r96), _r96), _multiply(_absolute(_s285, _r102), _s136, _r102), _r102), _multiply(_absolute(_s286, _r20), _s138, _r20), _r20), _r20)
@@ -1838,13 +1838,13 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s310 = _select(_s62 < _s140, _s140, _s62, _r42)
     _s311 = _result(_s63, _multiply(_k27, _add(_multiply(_k75, _add(_add(_s164, _s140, _r19), _s62, _r19), _r19), _multiply(_k76, _select(_s310 < _s164, _s164, _s310, _r6), _r6), _r6), _r6), _k30, _r0)
     _s312 = _multiply(_s159, _s140, _r6)
-    _s313 = _add(_multiply(_s187, _s256, _r119), _multiply(_k73, _s20, _r16), _r16)
+    _s313 = _add(_multiply(_s187, _s256, _r119), _multiply(_k74, _s20, _r16), _r16)
     _s314 = _negative(_multiply(p_restitution, normal_velocity, _r119), _r119)
     _s315 = _add(_s312, _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s313, _r19), _multiply(_s314, _s19, _r42), _r42), _r42), _r42), _s164, _r42), _r42)
-    _s316 = _multiply(_k63, _add(_multiply(bend_s, _s140, _r19), _multiply(bend_e, _s164, _r34), _r34), _r34)
+    _s316 = _multiply(_k64, _add(_multiply(bend_s, _s140, _r19), _multiply(bend_e, _s164, _r34), _r34), _r34)
     _s317 = _multiply(_s192, _s316, _r115)
     _s318 = _add(_add(_s315, _s317, _r42), _s279, _r42)
-    _s319 = _subtract(_multiply(_k73, _s16, _r14), _multiply(_s187, _s212, _r9), _r9)
+    _s319 = _subtract(_multiply(_k74, _s16, _r14), _multiply(_s187, _s212, _r9), _r9)
     _s320 = _add(_add(_multiply(_absolute(_multiply(bend_s, _s314, _r119), _r119), _s140, _r119), _multiply(_absolute(_negative(_multiply(_s216, _s319, _r14), _r14), _r14), _s164, _r14), _r14), _s317, _r14)
     _s321 = _add(_s320, _s251, _r14)
     _s322 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s313, _r119), _r119), _r119), _s140, _r119), _multiply(_absolute(_multiply(_s168, _s319, _r106), _r106), _s164, _r106), _r106), _s317, _r106)
@@ -1864,7 +1864,7 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s336 = _result(_s63, _multiply(_k27, _add(_multiply(_k75, _add(_add(_s330, _s332, _r47), _s334, _r47), _r47), _multiply(_k76, _select(_s335 < _s332, _s332, _s335, _r110), _r110), _r110), _r110), _k30, _r0)
     _s337 = _multiply(_k77, _add(_add(_add(_add(_add(_s157, _s126, _r103), _multiply(_k78, _s183, _r113), _r113), _multiply(_k78, _s241, _r122), _r122), _multiply(_k78, _s271, _r101), _r101), _multiply(_k79, _s294, _r88), _r88), _r88)
     _s338 = _add(_add(_add(_add(_add(_s163, _s139, _r101), _multiply(_k78, _s206, _r122), _r122), _multiply(_k78, _s250, _r101), _r101), _multiply(_k78, _s278, _r122), _r122), _multiply(_k79, _s304, _r101), _r101) <= _s337
-    return _result(_s63, _s62, _k30, _r0), _result(_s63, _s140, _k30, _r0), _result(_s63, _s164, _k30, _r0), _result(_s63, _s207, _k30, _r0), _result(_s63, _s251, _k30, _r0), _result(_s63, _s279, _k30, _r0), _result(_s63, _s305, _k30, _r0), _result(_s63, _s309, _k30, _r0), _s311, _s325, _s336, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r35), _r35) + _select(_s63, _multiply(_k27, _s45, _r41), _k30, _r20), _s89, _s96, _s103, _s110, _s117, _s125, _s139, _s163, _s206, _s250, _s278, _s304, _s88, _s95, _s102, _s109, _s116, _s124, _s150, _s151, _s152, _s153, _s154, _s156, _s176, _s177, _s178, _s179, _s180, _s182, _s229, _s231, _s233, _s235, _s237, _s240, _s264, _s265, _s266, _s267, _s268, _s270, _s287, _s288, _s289, _s290, _s291, _s293, _result(_s338, _k66, _k29, _r0)
+    return _result(_s63, _s62, _k30, _r0), _result(_s63, _s140, _k30, _r0), _result(_s63, _s164, _k30, _r0), _result(_s63, _s207, _k30, _r0), _result(_s63, _s251, _k30, _r0), _result(_s63, _s279, _k30, _r0), _result(_s63, _s305, _k30, _r0), _result(_s63, _s309, _k30, _r0), _s311, _s325, _s336, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r35), _r35) + _select(_s63, _multiply(_k27, _s45, _r41), _k30, _r20), _s89, _s96, _s103, _s110, _s117, _s125, _s139, _s163, _s206, _s250, _s278, _s304, _s88, _s95, _s102, _s109, _s116, _s124, _s150, _s151, _s152, _s153, _s154, _s156, _s176, _s177, _s178, _s179, _s180, _s182, _s229, _s231, _s233, _s235, _s237, _s240, _s264, _s265, _s266, _s267, _s268, _s270, _s287, _s288, _s289, _s290, _s291, _s293, _result(_s338, _k67, _k29, _r0)
 
 
 def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, p_ball_radius: Any, p_restitution: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1932,8 +1932,8 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s39 = _add(_add(_s1, _s4, _r36), _s38, _r36)
     _s40 = _add(_multiply(place_s, left_bend_s, _r37), _multiply(place_e, left_bend_e, _r38), _r38)
     _s41 = _multiply(_add(_s37, _s39, _r37), _s40, _r37)
-    _s42 = _multiply(_k63, _add(_multiply(t, _s41, _r39), _s9, _r39), _r39)
-    _s43 = _add(_add(_add(root_offset, _multiply(_multiply(_k64, _multiply(sharpest_bend, _s9, _r40), _r40), _s9, _r40), _r40), _add(_s35, _multiply(pace_e, _absolute(_s36, _r41), _r41), _r41), _r41), _s42, _r41)
+    _s42 = _multiply(_k64, _add(_multiply(t, _s41, _r39), _s9, _r39), _r39)
+    _s43 = _add(_add(_add(root_offset, _multiply(_multiply(_k65, _multiply(sharpest_bend, _s9, _r40), _r40), _s9, _r40), _r40), _add(_s35, _multiply(pace_e, _absolute(_s36, _r41), _r41), _r41), _r41), _s42, _r41)
     _s44 = _absolute(normal_velocity, _r40)
     _s45 = _divide(_multiply(_k26, _s43, _r41), _s44, _r41)
     _s46 = _add(_k24, _multiply(_k25, _add(_add(_add(_s37, _s1, _r34), _s4, _r34), _s38, _r34), _r34), _r34)
@@ -1941,24 +1941,24 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s48 = _add(_multiply(p_gravity, _s45, _r3), _s47, _r3)
     _s49 = _add(_s48, _s39, _r1)
     _s50 = _add(_multiply(_s45, _s49, _r32), _s9, _r32)
-    _s51 = _multiply(_k64, sharpest_bend, _r7)
+    _s51 = _multiply(_k65, sharpest_bend, _r7)
     _s52 = _multiply(_s51, _s50, _r42)
     _s53 = _subtract(_multiply(_k28, _add(_add(_multiply(_absolute(_s0, _r43), _s45, _r43), _multiply(_s52, _s49, _r44), _r44), _s47, _r44), _r44), _s44, _r44)
-    _s54 = _subtract(_multiply(_k65, _multiply(sharpest_bend, _s50, _r43), _r43), _k66, _r43)
+    _s54 = _subtract(_multiply(_k66, _multiply(sharpest_bend, _s50, _r43), _r43), _k67, _r43)
     _s55 = _select(_s53 < _s54, _s54, _s53, _r45)
     _s56 = _add(_multiply(_s6, _multiply(_s45, _s45, _r46), _r46), _multiply(_s45, _s47, _r35), _r35)
     _s57 = _divide(_add(_multiply(_s52, _s50, _r46), _s56, _r46), _s44, _r46)
     _s58 = _add(_multiply(_s57, _s39, _r47), _s56, _r47)
     _s59 = _add(_add(root_level, _s58, _r35), _add(_add(_multiply(_absolute(nx, _r48), _s3, _r48), _multiply(_absolute(ny, _r49), _s5, _r49), _r49), _multiply(_absolute(nz, _r48), _s8, _r48), _r48), _r48)
     _s60 = _multiply(bend_s, _s59, _r35)
-    _s61 = _subtract(_multiply(_k67, _add(_multiply(place_n, left_bend_s, _r49), _s60, _r49), _r49), _k66, _r49)
+    _s61 = _subtract(_multiply(_k68, _add(_multiply(place_n, left_bend_s, _r49), _s60, _r49), _r49), _k67, _r49)
     _s62 = _multiply(_k27, _s59, _r48)
     _s63 = _select(_s55 < _s61, _s61, _s55, _r50) <= _k29
     _s64 = _absolute(_s20, _r50)
     _s65 = _divide(_add(root_offset, _s42, _r49), _s44, _r49)
     _s66 = _add(_multiply(_s64, _s65, _r45), _add(_add(_multiply(_absolute(_s13, _r43), _s5, _r43), _multiply(_absolute(_s12, _r44), _s3, _r44), _r44), _multiply(_absolute(_s19, _r43), _s8, _r43), _r43), _r43)
-    _s67 = _add(_add(_s58, _multiply(_k63, _s50, _r32), _r32), _s42, _r32)
-    _s68 = _divide(_k66, normal_velocity, _r39)
+    _s67 = _add(_add(_s58, _multiply(_k64, _s50, _r32), _r32), _s42, _r32)
+    _s68 = _divide(_k67, normal_velocity, _r39)
     _s69 = _negative(_multiply(_s68, _s11, _r8), _r8)
     _s70 = _add(_add(_multiply(left_nx, _s12, _r45), _multiply(left_ny, _s13, _r44), _r44), _multiply(left_nz, _s19, _r45), _r45)
     _s71 = _add(_multiply(_s69, _s20, _r44), _s70, _r44)
@@ -2000,14 +2000,14 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s107 = _multiply(bend_e, _s19, _r66)
     _s108 = _multiply(_s107, _s16, _r19)
     _s109 = _add(_s105, _add(_multiply(_absolute(_s106, _r69), _s66, _r69), _multiply(_absolute(_s108, _r70), _s92, _r70), _r70), _r70)
-    _s110 = _k69 + p_restitution
-    _s111 = _k70 * p_ball_radius
+    _s110 = _k70 + p_restitution
+    _s111 = _k71 * p_ball_radius
     _s112 = _add(normal_rounding, _s60, _r69)
     _s113 = _add(_add(_absolute(wx, _r71), _absolute(wy, _r72), _r72), _absolute(wz, _r71), _r71)
     _s114 = _multiply(_multiply(_s111, _s112, _r72), _s113, _r72)
     _s115 = _multiply(p_ball_radius, _s113, _r73)
     _s116 = _add(_s115, _s39, _r74)
-    _s117 = _add(_k24, _multiply(_k71, _s116, _r75), _r75)
+    _s117 = _add(_k24, _multiply(_k72, _s116, _r75), _r75)
     _s118 = _multiply(p_gravity, _s57, _r46)
     _s119 = _k36 * _s110
     _s120 = _multiply(_add(bend_s, bend_e, _r76), _s67, _r76)
@@ -2015,7 +2015,7 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s122 = _add(_multiply(_s51, _s58, _r47), _multiply(_k22, _s121, _r7), _r7)
     _s123 = _add(_add(_add(_s118, _multiply(_s52, _add(_multiply(spin_bound, _s111, _r47), _multiply(_s119, _s48, _r77), _r77), _r77), _r77), _multiply(_s120, _s116, _r47), _r47), _multiply(_s122, _add(_multiply(_s111, _s113, _r77), _multiply(_s119, _s39, _r78), _r78), _r78), _r78)
     _s124 = _add(spin_bound, _multiply(_s40, _s113, _r38), _r38)
-    _s125 = _multiply(_k63, _add(_add(_multiply(p_ball_radius, _s124, _r47), _multiply(_s52, _add(_s115, _multiply(_k72, _s39, _r77), _r77), _r77), _r77), _multiply(_k22, _add(_s41, _s48, _r37), _r37), _r37), _r37)
+    _s125 = _multiply(_k64, _add(_add(_multiply(p_ball_radius, _s124, _r47), _multiply(_s52, _add(_s115, _multiply(_k73, _s39, _r77), _r77), _r77), _r77), _multiply(_k22, _add(_s41, _s48, _r37), _r37), _r37), _r37)
     _s126 = _add(_add(_s123, _multiply(_multiply(_s121, _s110, _r77), _s49, _r77), _r77), _s125, _r77)
     _s127 = _add(_add(_multiply(p_restitution, _s109, _r78), _multiply(_s110, _add(_multiply(normal_rounding, _add(_s39, _s44, _r1), _r1), _multiply(_multiply(_k22, _s60, _r35), _s44, _r35), _r35), _r35), _r35), _add(_add(_s114, _s117, _r78), _s126, _r78), _r78)
     _s128 = _negative(_multiply(p_restitution, _s0, _r0), _r0)
@@ -2040,19 +2040,19 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s147 = _negative(_multiply(_s146, _s16, _r35), _r35)
     _s148 = _add(_s105, _add(_multiply(_absolute(_s145, _r0), _s66, _r0), _multiply(_absolute(_s147, _r73), _s92, _r73), _r73), _r73)
     _s149 = _add(_add(_add(_multiply(_multiply(normal_rounding, _s110, _r0), _s44, _r0), _s114, _r0), _s117, _r0), _s126, _r0)
-    _s150 = _multiply(_k73, _s21, _r18)
-    _s151 = _add(_multiply(_s111, _s143, _r1), _multiply(_k73, _s147, _r35), _r35)
-    _s152 = _multiply(_k73, _s145, _r21)
-    _s153 = _subtract(_add(_multiply(_s72, _s150, _r25), _add(_multiply(_s111, _subtract(_multiply(_s74, _s140, _r1), _multiply(_s15, _s141, _r77), _r77), _r77), _multiply(_k73, _s75, _r54), _r54), _r54), _multiply(_s151, _s97, _r25), _r25)
+    _s150 = _multiply(_k74, _s21, _r18)
+    _s151 = _add(_multiply(_s111, _s143, _r1), _multiply(_k74, _s147, _r35), _r35)
+    _s152 = _multiply(_k74, _s145, _r21)
+    _s153 = _subtract(_add(_multiply(_s72, _s150, _r25), _add(_multiply(_s111, _subtract(_multiply(_s74, _s140, _r1), _multiply(_s15, _s141, _r77), _r77), _r77), _multiply(_k74, _s75, _r54), _r54), _r54), _multiply(_s151, _s97, _r25), _r25)
     _s154 = _add(_multiply(place_n, _absolute(_subtract(_subtract(_multiply(_s69, _s150, _r8), _multiply(_s151, _s94, _r54), _r54), _multiply(_s71, _s152, _r8), _r8), _r8), _r8), _multiply(place_s, _absolute(_subtract(_s153, _multiply(_s77, _s152, _r54), _r54), _r54), _r54), _r54)
-    _s155 = _subtract(_add(_multiply(_s78, _s150, _r28), _add(_multiply(_s111, _subtract(_multiply(_s79, _s140, _r8), _multiply(_s29, _s141, _r25), _r25), _r25), _multiply(_k73, _s80, _r56), _r56), _r56), _multiply(_s151, _s99, _r28), _r28)
-    _s156 = _multiply(pace_n, _absolute(_subtract(_subtract(_add(_multiply(_s82, _s150, _r30), _multiply(_k73, _s70, _r56), _r56), _multiply(_s151, _s100, _r30), _r30), _multiply(_s83, _s152, _r56), _r56), _r56), _r56)
+    _s155 = _subtract(_add(_multiply(_s78, _s150, _r28), _add(_multiply(_s111, _subtract(_multiply(_s79, _s140, _r8), _multiply(_s29, _s141, _r25), _r25), _r25), _multiply(_k74, _s80, _r56), _r56), _r56), _multiply(_s151, _s99, _r28), _r28)
+    _s156 = _multiply(pace_n, _absolute(_subtract(_subtract(_add(_multiply(_s82, _s150, _r30), _multiply(_k74, _s70, _r56), _r56), _multiply(_s151, _s100, _r30), _r30), _multiply(_s83, _s152, _r56), _r56), _r56), _r56)
     _s157 = _add(_add(_s154, _multiply(place_e, _absolute(_subtract(_s155, _multiply(_s81, _s152, _r30), _r30), _r30), _r30), _r30), _s156, _r56)
-    _s158 = _k74 / p_ball_radius
-    _s159 = _subtract(_subtract(_add(_multiply(_s84, _s150, _r31), _add(_multiply(_s111, _multiply(_s158, _s17, _r30), _r30), _multiply(_k73, _s76, _r54), _r54), _r54), _multiply(_s151, _s101, _r31), _r31), _multiply(_s85, _s152, _r54), _r54)
-    _s160 = _subtract(_add(_multiply(_s87, _s150, _r18), _add(_multiply(_s111, _negative(_multiply(_s158, _s96, _r39), _r39), _r39), _multiply(_k73, _s14, _r31), _r31), _r31), _multiply(_s151, _s103, _r35), _r35)
+    _s158 = _k60 / p_ball_radius
+    _s159 = _subtract(_subtract(_add(_multiply(_s84, _s150, _r31), _add(_multiply(_s111, _multiply(_s158, _s17, _r30), _r30), _multiply(_k74, _s76, _r54), _r54), _r54), _multiply(_s151, _s101, _r31), _r31), _multiply(_s85, _s152, _r54), _r54)
+    _s160 = _subtract(_add(_multiply(_s87, _s150, _r18), _add(_multiply(_s111, _negative(_multiply(_s158, _s96, _r39), _r39), _r39), _multiply(_k74, _s14, _r31), _r31), _r31), _multiply(_s151, _s103, _r35), _r35)
     _s161 = _add(_add(_add(_s157, _multiply(pace_s, _absolute(_s159, _r54), _r54), _r54), _multiply(pace_e, _absolute(_subtract(_s160, _multiply(_s88, _s152, _r21), _r21), _r21), _r21), _r21), _multiply(turn_n, _absolute(_multiply(_s111, _s93, _r54), _r54), _r54), _r54)
-    _s162 = _add(_add(_add(_multiply(_s111, _s144, _r21), _multiply(_k73, _s148, _r35), _r35), _s149, _r35), _add(_add(_s161, _multiply(turn_z, _absolute(_multiply(_s111, _s17, _r21), _r21), _r21), _r21), _multiply(turn_z, _absolute(_multiply(_s111, _s96, _r54), _r54), _r54), _r54), _r54)
+    _s162 = _add(_add(_add(_multiply(_s111, _s144, _r21), _multiply(_k74, _s148, _r35), _r35), _s149, _r35), _add(_add(_s161, _multiply(turn_z, _absolute(_multiply(_s111, _s17, _r21), _r21), _r21), _r21), _multiply(turn_z, _absolute(_multiply(_s111, _s96, _r54), _r54), _r54), _r54), _r54)
     _s163 = _multiply(_k27, _s162, _r54)
     _s164 = _multiply(bend_s, _s141, _r35)
     _s165 = _absolute(_s164, _r21)
@@ -2062,24 +2062,24 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s169 = _multiply(bend_e, _subtract(_multiply(nz, _s20, _r18), _multiply(normal_velocity, _s19, _r30), _r30), _r30)
     _s170 = _add(_s105, _add(_s139, _multiply(_absolute(_s169, _r18), _s92, _r18), _r18), _r18)
     _s171 = _negative(_multiply(_s111, _s164, _r35), _r35)
-    _s172 = _subtract(_multiply(_k73, _s169, _r30), _multiply(_s111, _s167, _r56), _r56)
-    _s173 = _subtract(_subtract(_subtract(_multiply(_k73, _s95, _r4), _multiply(_s111, _subtract(_multiply(_s18, _s141, _r10), _multiply(_s74, _s166, _r52), _r52), _r52), _r52), _multiply(_s171, _s77, _r4), _r4), _multiply(_s172, _s97, _r52), _r52)
+    _s172 = _subtract(_multiply(_k74, _s169, _r30), _multiply(_s111, _s167, _r56), _r56)
+    _s173 = _subtract(_subtract(_subtract(_multiply(_k74, _s95, _r4), _multiply(_s111, _subtract(_multiply(_s18, _s141, _r10), _multiply(_s74, _s166, _r52), _r52), _r52), _r52), _multiply(_s171, _s77, _r4), _r4), _multiply(_s172, _s97, _r52), _r52)
     _s174 = _add(_multiply(place_n, _absolute(_negative(_add(_multiply(_s171, _s71, _r4), _multiply(_s172, _s94, _r10), _r10), _r10), _r10), _r10), _multiply(place_s, _absolute(_s173, _r52), _r52), _r52)
-    _s175 = _subtract(_subtract(_subtract(_multiply(_k73, _s98, _r51), _multiply(_s111, _negative(_multiply(_s79, _s166, _r55), _r55), _r55), _r55), _multiply(_s171, _s81, _r51), _r51), _multiply(_s172, _s99, _r55), _r55)
-    _s176 = _add(_add(_s174, _multiply(place_e, _absolute(_s175, _r55), _r55), _r55), _multiply(pace_n, _absolute(_subtract(_subtract(_multiply(_k73, _s93, _r63), _multiply(_s171, _s83, _r52), _r52), _multiply(_s172, _s100, _r63), _r63), _r63), _r63), _r63)
-    _s177 = _absolute(_subtract(_subtract(_subtract(_multiply(_k73, _s96, _r22), _multiply(_s111, _multiply(_s158, _s14, _r55), _r55), _r55), _multiply(_s171, _s85, _r22), _r22), _multiply(_s172, _s101, _r55), _r55), _r55)
-    _s178 = _subtract(_subtract(_subtract(_multiply(_k73, _s17, _r15), _multiply(_s111, _negative(_multiply(_s158, _s76, _r22), _r22), _r22), _r22), _multiply(_s171, _s88, _r35), _r35), _multiply(_s172, _s103, _r56), _r56)
+    _s175 = _subtract(_subtract(_subtract(_multiply(_k74, _s98, _r51), _multiply(_s111, _negative(_multiply(_s79, _s166, _r55), _r55), _r55), _r55), _multiply(_s171, _s81, _r51), _r51), _multiply(_s172, _s99, _r55), _r55)
+    _s176 = _add(_add(_s174, _multiply(place_e, _absolute(_s175, _r55), _r55), _r55), _multiply(pace_n, _absolute(_subtract(_subtract(_multiply(_k74, _s93, _r63), _multiply(_s171, _s83, _r52), _r52), _multiply(_s172, _s100, _r63), _r63), _r63), _r63), _r63)
+    _s177 = _absolute(_subtract(_subtract(_subtract(_multiply(_k74, _s96, _r22), _multiply(_s111, _multiply(_s158, _s14, _r55), _r55), _r55), _multiply(_s171, _s85, _r22), _r22), _multiply(_s172, _s101, _r55), _r55), _r55)
+    _s178 = _subtract(_subtract(_subtract(_multiply(_k74, _s17, _r15), _multiply(_s111, _negative(_multiply(_s158, _s76, _r22), _r22), _r22), _r22), _multiply(_s171, _s88, _r35), _r35), _multiply(_s172, _s103, _r56), _r56)
     _s179 = _add(_add(_add(_add(_s176, _multiply(pace_s, _s177, _r55), _r55), _multiply(pace_e, _absolute(_s178, _r56), _r56), _r56), _multiply(turn_n, _absolute(_negative(_multiply(_s111, _s70, _r45), _r45), _r45), _r45), _r45), _multiply(turn_z, _absolute(_negative(_multiply(_s111, _s14, _r12), _r12), _r12), _r12), _r12)
-    _s180 = _add(_add(_add(_multiply(_s111, _s168, _r45), _multiply(_k73, _s170, _r56), _r56), _s149, _r56), _add(_s179, _multiply(turn_z, _absolute(_negative(_multiply(_s111, _s76, _r24), _r24), _r24), _r24), _r24), _r24)
+    _s180 = _add(_add(_add(_multiply(_s111, _s168, _r45), _multiply(_k74, _s170, _r56), _r56), _s149, _r56), _add(_s179, _multiply(turn_z, _absolute(_negative(_multiply(_s111, _s76, _r24), _r24), _r24), _r24), _r24), _r24)
     _s181 = _multiply(_k27, _s180, _r24)
     _s182 = _negative(_multiply(bend_s, _s140, _r56), _r56)
     _s183 = _multiply(_s107, _s166, _r12)
     _s184 = _add(_multiply(_absolute(_s182, _r45), _s66, _r45), _multiply(_absolute(_s183, _r43), _s92, _r43), _r43)
-    _s185 = _k69 * _s158
+    _s185 = _k70 * _s158
     _s186 = _add(_multiply(_s158, _s39, _r45), _s113, _r45)
     _s187 = _add(_add(_add(_multiply(_s158, _add(_s118, _s125, _r37), _r37), _multiply(_s52, _add(_multiply(_k22, spin_bound, _r46), _multiply(_s185, _s48, _r3), _r3), _r3), _r3), _multiply(_s121, _add(spin_bound, _s113, _r37), _r37), _r37), _multiply(_s120, _s186, _r76), _r76)
-    _s188 = _add(_add(_s187, _multiply(_s122, _add(_multiply(_s185, _s39, _r37), _multiply(_k22, _s113, _r3), _r3), _r3), _r3), _multiply(_k63, _add(_multiply(_s52, _s113, _r42), _s124, _r42), _r42), _r42)
-    _s189 = _add(_add(_add(_add(_multiply(_s158, _s117, _r3), _multiply(_k22, _multiply(_s112, _s113, _r38), _r38), _r38), _multiply(_k73, _multiply(_multiply(normal_rounding, _s158, _r3), _s39, _r3), _r3), _r3), _s184, _r3), _s188, _r3)
+    _s188 = _add(_add(_s187, _multiply(_s122, _add(_multiply(_s185, _s39, _r37), _multiply(_k22, _s113, _r3), _r3), _r3), _r3), _multiply(_k64, _add(_multiply(_s52, _s113, _r42), _s124, _r42), _r42), _r42)
+    _s189 = _add(_add(_add(_add(_multiply(_s158, _s117, _r3), _multiply(_k22, _multiply(_s112, _s113, _r38), _r38), _r38), _multiply(_k74, _multiply(_multiply(normal_rounding, _s158, _r3), _s39, _r3), _r3), _r3), _s184, _r3), _s188, _r3)
     _s190 = _multiply(place_s, _absolute(_subtract(_subtract(_subtract(_multiply(_s15, _s166, _r11), _multiply(_s18, _s140, _r13), _r13), _multiply(_s182, _s77, _r53), _r53), _multiply(_s183, _s97, _r6), _r6), _r6), _r6)
     _s191 = _add(_multiply(place_n, _absolute(_negative(_add(_multiply(_s182, _s71, _r44), _multiply(_s183, _s94, _r57), _r57), _r57), _r57), _r57), _s190, _r6)
     _s192 = _add(_s191, _multiply(place_e, _absolute(_subtract(_subtract(_multiply(_s29, _s166, _r26), _multiply(_s182, _s81, _r58), _r58), _multiply(_s183, _s99, _r20), _r20), _r20), _r20), _r20)
@@ -2095,13 +2095,13 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s202 = _select(_s62 < _s89, _s89, _s62, _r42)
     _s203 = _result(_s63, _multiply(_k27, _add(_multiply(_k75, _add(_add(_s62, _s104, _r33), _s89, _r33), _r33), _multiply(_k76, _select(_s202 < _s104, _s104, _s202, _r69), _r69), _r69), _r69), _k30, _r0)
     _s204 = _multiply(_s91, _s89, _r69)
-    _s205 = _add(_multiply(_s111, _s166, _r31), _multiply(_k73, _s20, _r16), _r16)
+    _s205 = _add(_multiply(_s111, _s166, _r31), _multiply(_k74, _s20, _r16), _r16)
     _s206 = _negative(_multiply(p_restitution, normal_velocity, _r31), _r31)
     _s207 = _add(_s204, _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s205, _r33), _multiply(_s206, _s19, _r42), _r42), _r42), _r42), _s104, _r42), _r42)
-    _s208 = _multiply(_k63, _add(_multiply(bend_s, _s89, _r33), _multiply(bend_e, _s104, _r71), _r71), _r71)
+    _s208 = _multiply(_k64, _add(_multiply(bend_s, _s89, _r33), _multiply(bend_e, _s104, _r71), _r71), _r71)
     _s209 = _multiply(_s116, _s208, _r74)
     _s210 = _add(_add(_s207, _s209, _r42), _s181, _r42)
-    _s211 = _subtract(_multiply(_k73, _s16, _r14), _multiply(_s111, _s140, _r9), _r9)
+    _s211 = _subtract(_multiply(_k74, _s16, _r14), _multiply(_s111, _s140, _r9), _r9)
     _s212 = _add(_add(_multiply(_absolute(_multiply(bend_s, _s206, _r31), _r31), _s89, _r31), _multiply(_absolute(_negative(_multiply(_s146, _s211, _r14), _r14), _r14), _s104, _r14), _r14), _s209, _r14)
     _s213 = _add(_s212, _s163, _r14)
     _s214 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s205, _r31), _r31), _r31), _s89, _r31), _multiply(_absolute(_multiply(_s107, _s211, _r66), _r66), _s104, _r66), _r66), _s209, _r66)
@@ -2216,9 +2216,9 @@ def ring_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx:
     t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _halves(_room[:11])
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
-    _s1 = _k66 / _s0
+    _s1 = _k67 / _s0
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k74 / _s2
+    _s3 = _k60 / _s2
     _s4 = (p_ring_radius - p_ball_radius) - p_wire_radius
     _s5 = _where(_s4 < _s2, _s4, _s2)
     _s6 = _multiply(p_gravity, t, _r0)
@@ -2245,10 +2245,10 @@ def ring_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx:
     _s27 = _multiply(_k96, _s26, _r1)
     _s28 = _add(_add(_s12, _s26, _r4), _select(_s27 < _s24, _s24, _s27, _r6), _r6)
     _s29 = _add(place_n, _s28, _r1)
-    _s30 = _multiply(_k72, _divide(_s11, _s5, _r0), _r0) <= _k66
+    _s30 = _multiply(_k73, _divide(_s11, _s5, _r0), _r0) <= _k67
     _s31 = _k29 < back
     _s32 = _add(place_n, _s25, _r0)
-    return -_multiply(y, _s1, _r4), x * _s1, _s3, _s1, _k74 / _s5, _result(_s31, _select(_s30, _s25, _select(_s25 < _s29, _s29, _s25, _r4), _r9), _s28, _r0), _result(_s31, _select(_s30, _s32, _select(_s32 < _s28, _s28, _s32, _r9), _r4), _s28, _r0), _k35 * (_k99 + _s21)
+    return -_multiply(y, _s1, _r4), x * _s1, _s3, _s1, _k60 / _s5, _result(_s31, _select(_s30, _s25, _select(_s25 < _s29, _s29, _s25, _r4), _r9), _s28, _r0), _result(_s31, _select(_s30, _s32, _select(_s32 < _s28, _s28, _s32, _r9), _r4), _s28, _r0), _k35 * (_k99 + _s21)
 
 
 def ring_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any) -> tuple[Any, ...]:
@@ -2333,7 +2333,7 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s33 = _add(y, _multiply(vy, horizon, _r8), _r8)
     _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k7, _k45, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k7, _k45, _k7, _r8), _r15)
     _s35 = _select(_subtract(_multiply(_multiply(_k105, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k46, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k7, _s34, _k7, _r7)
-    _s36 = _select(horizon < _subtract(_s11, _multiply(_k60, horizon, _r10), _r10), _k45, _select(_k7 < _s20, _select(_k7 < _s30, _s35, _k7, _r12), _k7, _r13), _r10)
+    _s36 = _select(horizon < _subtract(_s11, _multiply(_k61, horizon, _r10), _r10), _k45, _select(_k7 < _s20, _select(_k7 < _s30, _s35, _k7, _r12), _k7, _r13), _r10)
     _s37 = _add(_multiply(x, vx, _r4), _multiply(y, vy, _r9), _r9)
     _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
     _s39 = _select(_s38 < _k7, _select(_s18 < _add(_multiply(_s10, _add(_s37, _s38, _r14), _r14), _add(_multiply(x, x, _r9), _multiply(y, y, _r4), _r4), _r4), _s36, _k7, _r4), _k7, _r14)
@@ -2519,22 +2519,22 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s2 = _k36 * p_gravity
     _s3 = _multiply(_k128, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
-    _s5 = _k74 / p_gravity
+    _s5 = _k60 / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(_k68, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s7 = _multiply(_k69, _add(_absolute(vz, _r4), _s6, _r4), _r4)
     _s8 = _k29 <= _s4
     _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k30, _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(_k68, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_k69, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(_k68, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
-    _s20 = _divide(_k66, _s10, _r13)
+    _s19 = _multiply(_k69, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s20 = _divide(_k67, _s10, _r13)
     _s21 = _k29 <= _s16
     _s22 = _k129 < _s10
     _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k30, _r14), _k130, _r15)
@@ -2599,7 +2599,7 @@ def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any
     _s5 = _k131 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
-    _s8 = _where(_k74 < _s7, _s7, _k74)
+    _s8 = _where(_k60 < _s7, _s7, _k60)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
     _s11 = _multiply(_k141, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
@@ -2609,13 +2609,13 @@ def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any
     _s15 = _add(_multiply(_k22, _multiply(vz, vz, _r7), _r7), _multiply(_k86 * p_gravity, z, _r8), _r8) + _multiply(_k22, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s17 = (_k36 * p_ring_radius) * _multiply(_s16, _s16, _r8)
-    _s18 = _k74 / _s6
+    _s18 = _k60 / _s6
     _s19 = _s18 * (_s18 * _s18)
     _s20 = _add(_add((_k145 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k68, _add(_s22, _s23, _r10), _r10), _r10)
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k69, _add(_s22, _s23, _r10), _r10), _r10)
     _s25 = _divide(_multiply(_k146, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
     return _s14, _k37, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k27 * _s20, (_k147 * _s2) * _s24, _result(_s0, _multiply(_k27, _add(_multiply(_k128, _absolute(start_rate, _r12), _r12), _multiply(_add(_k148, _s14, _r2), _s11, _r2), _r2), _r2), _k30, _r0), _k27 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k81 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k141 * _add(_multiply(_multiply(_k27, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k149, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k150 * p_ball_radius) + (_k150 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k29))
 
@@ -2638,7 +2638,7 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s8 = _add(y, _multiply(vy, t, _r5), _r5)
     _s9 = _sqrt(_add(_multiply(_s7, _s7, _r6), _multiply(_s8, _s8, _r7), _r7), _r7)
     _s10 = _add(rho_start, _s9, _r6)
-    _s11 = _divide(_k66, _multiply(_s10, _s9, _r8), _r8)
+    _s11 = _divide(_k67, _multiply(_s10, _s9, _r8), _r8)
     _s12 = _multiply(_s9, _s11, _r9)
     _s13 = _multiply(_s12, _add(_multiply(t, _s6, _r10), _multiply(_k22, _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12), _r12), _r12), _r12)
     _s14 = _subtract(vz, _multiply(_k23 * p_gravity, t, _r10), _r10)
@@ -2663,7 +2663,7 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s33 = _subtract(_add(_s31, _s32, _r17), energy2, _r17)
     _s34 = _s29 < _k29
     _s35 = _multiply(_k22, _s27, _r18)
-    _s36 = _select(_k29 < _select(_k29 <= _s29, _s27, _k29, _r19), _k30, _divide(_select(_s34, _add(_s35, _multiply(_k158, _s25, _r19), _r19), _multiply(_k72, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k29 < _s33, _s33, _k29, _r23), _r24), _r21), _r20)
+    _s36 = _select(_k29 < _select(_k29 <= _s29, _s27, _k29, _r19), _k30, _divide(_select(_s34, _add(_s35, _multiply(_k158, _s25, _r19), _r19), _multiply(_k73, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k29 < _s33, _s33, _k29, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
     _s39 = _k127 * _s24
@@ -2674,7 +2674,7 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s44 = p_ring_radius - _s39
     _s45 = _k131 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
-    _s47 = _divide(_k66, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
+    _s47 = _divide(_k67, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(moment2, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(energy2, _r23)
     _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k160, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
@@ -2825,8 +2825,8 @@ def backboard_tangents(t: Any, x: Any, vx: Any, _room: Any = NO_ROWS) -> tuple[A
     """
     t, x, vx, = [_single(value) for value in (t, x, vx,)]
     _r0, _r1 = _halves(_room[:2])
-    _s0 = _k24 + _multiply(_k25, _add(_multiply(_multiply(_k72, t, _r0), _multiply(_k22, _absolute(vx, _r1), _r1), _r0), _absolute(x, _r1), _r1), _r1)
-    return _k37, _k74, _k37, _k37, _k37, _s0, _s0, _k37
+    _s0 = _k24 + _multiply(_k25, _add(_multiply(_multiply(_k73, t, _r0), _multiply(_k22, _absolute(vx, _r1), _r1), _r0), _absolute(x, _r1), _r1), _r1)
+    return _k37, _k60, _k37, _k37, _k37, _s0, _s0, _k37
 
 
 def backboard_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_gravity: Any, change_ball_radius: Any, change_board_distance: Any, change_board_half_width: Any, change_board_bottom: Any, change_board_top: Any) -> tuple[Any, ...]:
@@ -2926,9 +2926,9 @@ def bridge_tangents(t: Any, z: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROW
     """
     t, z, vz, p_gravity, = [_single(value) for value in (t, z, vz, p_gravity,)]
     _r0, _r1, _r2 = _halves(_room[:3])
-    _s0 = _multiply(_multiply(_k72, t, _r0), _add(_absolute(vz, _r1), _absolute(_add(vz, _multiply(_k23 * p_gravity, t, _r2), _r2), _r2), _r2), _r0)
+    _s0 = _multiply(_multiply(_k73, t, _r0), _add(_absolute(vz, _r1), _absolute(_add(vz, _multiply(_k23 * p_gravity, t, _r2), _r2), _r2), _r2), _r0)
     _s1 = _k24 + _multiply(_k25, _add(_s0, _absolute(z, _r2), _r2), _r2)
-    return _k37, _k74, _k37, _k37, _k37, _s1, _s1, _k37
+    return _k37, _k60, _k37, _k37, _k37, _s1, _s1, _k37
 
 
 def bridge_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any, change_board_distance: Any, change_bridge_half_width: Any) -> tuple[Any, ...]:
@@ -3037,9 +3037,9 @@ def end_tangents(t: Any, z: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROWS) 
     """
     t, z, vz, p_gravity, = [_single(value) for value in (t, z, vz, p_gravity,)]
     _r0, _r1, _r2 = _halves(_room[:3])
-    _s0 = _multiply(_multiply(_k72, t, _r0), _add(_absolute(vz, _r1), _absolute(_add(vz, _multiply(_k23 * p_gravity, t, _r2), _r2), _r2), _r2), _r0)
+    _s0 = _multiply(_multiply(_k73, t, _r0), _add(_absolute(vz, _r1), _absolute(_add(vz, _multiply(_k23 * p_gravity, t, _r2), _r2), _r2), _r2), _r0)
     _s1 = _k24 + _multiply(_k25, _add(_s0, _absolute(z, _r2), _r2), _r2)
-    return _k37, _k74, _k37, _k37, _k37, _s1, _s1, _k37
+    return _k37, _k60, _k37, _k37, _k37, _s1, _s1, _k37
 
 
 def end_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ring_radius: Any, p_gravity: Any, p_end_depth: Any, change_ring_radius: Any, change_end_depth: Any) -> tuple[Any, ...]:
@@ -3661,7 +3661,7 @@ def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, v
     _s2 = _k36 * p_gravity
     _s3 = _k137 * (_s0 + (_s2 * (abs(z) + _s1)))
     _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
-    _s5 = _k74 / p_gravity
+    _s5 = _k60 / p_gravity
     _s6 = _root(_s4)
     _s7 = _k84 * (abs(vz) + _s6)
     _s8 = _k37 <= _s4
@@ -3676,7 +3676,7 @@ def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, v
     _s17 = (x * vx) + (y * vy)
     _s18 = _root(_s16)
     _s19 = _k84 * ((abs(_s17) + abs(_s14)) + _s18)
-    _s20 = _k74 / _s10
+    _s20 = _k60 / _s10
     _s21 = _k37 <= _s16
     _s22 = _k138 < _s10
     _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k39) if _s22 else _k139
@@ -3735,7 +3735,7 @@ def _ring_resolution_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any,
     _s5 = _k131 * p_ring_radius
     _s6 = _s5 if _s4 < _s5 else _s4
     _s7 = _s2 / _s6
-    _s8 = _s7 if _k74 < _s7 else _k74
+    _s8 = _s7 if _k60 < _s7 else _k60
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
     _s11 = _k153 * ((_s9 * _s10) + (_s2 * _s1))
@@ -3745,7 +3745,7 @@ def _ring_resolution_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any,
     _s15 = ((_k36 * (vz * vz)) + ((_k86 * p_gravity) * z)) + (_k36 * ((vx * vx) + (vy * vy)))
     _s16 = (x * vy) - (y * vx)
     _s17 = (_k36 * p_ring_radius) * (_s16 * _s16)
-    _s18 = _k74 / _s6
+    _s18 = _k60 / _s6
     _s19 = _s18 * (_s18 * _s18)
     _s20 = (((_k145 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
     _s21 = horizon - t
@@ -3768,7 +3768,7 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s8 = y + (vy * t)
     _s9 = _root(((_s7 * _s7) + (_s8 * _s8)))
     _s10 = rho_start + _s9
-    _s11 = _k74 / (_s10 * _s9)
+    _s11 = _k60 / (_s10 * _s9)
     _s12 = _s9 * _s11
     _s13 = _s12 * ((t * _s6) + (_k36 * ((x * vx) + (y * vy))))
     _s14 = vz - ((_k23 * p_gravity) * t)
@@ -3804,7 +3804,7 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s44 = p_ring_radius - _s39
     _s45 = _k131 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
-    _s47 = _k74 / (_s46 if _s43 < _s46 else _s43)
+    _s47 = _k60 / (_s46 if _s43 < _s46 else _s43)
     _s48 = moment2 * (_s47 * (_s47 * _s47))
     _s49 = abs(energy2)
     _s50 = ((_s41 + _s48) + (_k164 * ((_s48 + _s49) + abs(_s41)))) - energy2
@@ -4780,12 +4780,12 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _position_bound_2, _velocity_bound_2, _spin_bound_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _p_gravity_2, _room_2)
             _clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1 = _put(_rows15, _count14, (_clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1,), (_clock_error_2, _position_bound_2, _spin_bound_2, _velocity_bound_2,), _ends_by_time_limit_1)
         _clock_error_0, _position_bound_0, _spin_bound_0, _velocity_bound_0 = _put(_rows13, shots, (_clock_error_0, _position_bound_0, _spin_bound_0, _velocity_bound_0,), (_clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1,))
-    _closed_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_outcome_0, _claims_0)
-    _rows17, _count18 = _most(_closed_0, shots)
+    _reports_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_outcome_0, _claims_0)
+    _rows17, _count18 = _most(_reports_0, shots)
     if _count18:
         _clock_error_1, _position_bound_1, _spin_bound_1, _velocity_bound_1 = _taken(_rows17, _clock_error_0, _position_bound_0, _spin_bound_0, _velocity_bound_0)
         _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_1, _position_bound_1, _velocity_bound_1, _spin_bound_1)
-        _position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0 = _put(_rows17, shots, (_position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0,), (_position_claim_1, _spin_claim_1, _time_claim_1, _velocity_claim_1,), _closed_0)
+        _position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0 = _put(_rows17, shots, (_position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0,), (_position_claim_1, _spin_claim_1, _time_claim_1, _velocity_claim_1,), _reports_0)
     columns |= {"clock_error": _clock_error_0, "continued": _continued_0, "count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "first": _first_0, "last": _last_0, "left_bend_e": _left_bend_e_0, "left_bend_s": _left_bend_s_0, "left_ex": _left_ex_0, "left_ey": _left_ey_0, "left_nx": _left_nx_0, "left_ny": _left_ny_0, "left_nz": _left_nz_0, "origin_e": _origin_e_0, "origin_s": _origin_s_0, "origin_t": _origin_t_0, "origin_u": _origin_u_0, "origin_v": _origin_v_0, "origin_w": _origin_w_0, "pace_e": _pace_e_0, "pace_n": _pace_n_0, "pace_s": _pace_s_0, "place_e": _place_e_0, "place_n": _place_n_0, "place_s": _place_s_0, "position_bound": _position_bound_0, "position_claim": _position_claim_0, "product_11": _product_11_0, "product_12": _product_12_0, "product_13": _product_13_0, "product_14": _product_14_0, "product_15": _product_15_0, "product_16": _product_16_0, "product_21": _product_21_0, "product_22": _product_22_0, "product_23": _product_23_0, "product_24": _product_24_0, "product_25": _product_25_0, "product_26": _product_26_0, "product_31": _product_31_0, "product_32": _product_32_0, "product_33": _product_33_0, "product_34": _product_34_0, "product_35": _product_35_0, "product_36": _product_36_0, "product_41": _product_41_0, "product_42": _product_42_0, "product_43": _product_43_0, "product_44": _product_44_0, "product_45": _product_45_0, "product_46": _product_46_0, "product_51": _product_51_0, "product_52": _product_52_0, "product_53": _product_53_0, "product_54": _product_54_0, "product_55": _product_55_0, "product_56": _product_56_0, "product_61": _product_61_0, "product_62": _product_62_0, "product_63": _product_63_0, "product_64": _product_64_0, "product_65": _product_65_0, "product_66": _product_66_0, "recent_e": _recent_e_0, "recent_s": _recent_s_0, "recent_t": _recent_t_0, "recent_u": _recent_u_0, "recent_v": _recent_v_0, "recent_w": _recent_w_0, "spin_bound": _spin_bound_0, "spin_claim": _spin_claim_0, "time_claim": _time_claim_0, "turn_n": _turn_n_0, "turn_z": _turn_z_0, "uncertain": _uncertain_0, "velocity_bound": _velocity_bound_0, "velocity_claim": _velocity_claim_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .numpy_flights import Column, Flights, Floats, Inputs
-from .result_arrays import ResultArrays, need_bounds
+from .result_arrays import LOG, ResultArrays, need_bounds
 
 BLOCK_SIZE = 1 << 14
 """Shots that are simulated together; their arrays fit the second-level cache."""
@@ -67,7 +67,7 @@ def run(
     first: int = 0,
     last: SharedTail | None = None,
     *,
-    tightening: bool | None = None,
+    tightening: bool = True,
 ) -> None:
     """Simulate shots and write what `out` has room for.
 
@@ -90,15 +90,15 @@ def run(
     last
         Shared by runs of other parts of the same shots into the same `out`, without a log.
     tightening
-        Whether bounds on errors are tightened; None: as in all engines, for the shots that end
-        uncertain without, and are not capped.
+        Whether bounds on errors are tightened for the shots that end uncertain without, and are not
+        capped, as in all engines.
     """
     if out.event_counts is not None:
         out.event_counts[:] = 0
     job = {
         "most_contacts": float(max_contacts),
         "time_limit": time_limit,
-        "tightening": float(tightening is True),
+        "tightening": 0.0,
         **_switches(kernels, out),
     }
     last = last or SharedTail(1, len(states))
@@ -107,10 +107,13 @@ def run(
     flights = Flights(kernels, bounds, job, inputs, most)
     with np.errstate(all="ignore"):
         done = _simulate(kernels, flights, None, out, stopped, last)
-        if not done or tightening is not None or not flights.loose:
+        if not (done and tightening and flights.loose):
             return
         loose = np.sort(np.concatenate(flights.loose))
         wanted = {name: own for name, own in out.arrays.items() if need_bounds(kernels, [name])}
+        if out.event_errors is not None:  # then the log is written again
+            wanted |= {name: out.arrays[name] for name in LOG}
+            out.arrays["event_counts"][loose] = 0
         for inputs in flights.inputs:
             ends = np.array([inputs.first, inputs.first + len(inputs.states)])
             start, stop = np.searchsorted(loose, ends)
@@ -163,10 +166,11 @@ def _simulate(
 
 
 def _switches(kernels: ModuleType, out: ResultArrays) -> dict[str, float]:
-    """Return the numbers that are 1 if a result which needs them is wanted."""
+    """Return the numbers that are 1 if a result which needs them is wanted, 2 if the log has it."""
     found: dict[str, float] = {}
+    logged = out.event_errors is not None
     for result in kernels.RESULTS:
         if result.switch:
-            wanted = getattr(out, result.name) is not None
-            found[result.switch] = max(found.get(result.switch, 0.0), float(wanted))
+            wanted = 2.0 if logged else float(getattr(out, result.name) is not None)
+            found[result.switch] = max(found.get(result.switch, 0.0), wanted)
     return found

@@ -247,6 +247,12 @@ class Flights:
         out.events["time"][rows] = columns["clock"][happened]
         out.events["before"][rows] = before[happened]
         out.events["after"][rows] = self._states(columns)[happened]
+        if out.event_errors is not None:
+            for result in (one for one in self._results if one.switch):
+                errors = out.event_errors[result.name]
+                for k, source in enumerate(result.columns):
+                    values = np.broadcast_to(columns[source], len(self.row))[happened]
+                    errors[(*rows, k) if result.row else rows] = values
         out.event_counts[row] += 1
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from types import ModuleType
 from typing import Any
 
@@ -13,7 +13,8 @@ from hoopgen.generated.numpy.hoop import ResultField
 
 from . import array_pool
 
-LOG = ("events", "event_counts")
+LOG = ("events", "event_counts", "event_errors")
+"""The arrays of the event log, which are last in the targets' structs of results."""
 
 
 def labels(result: ResultField) -> tuple[str, ...]:
@@ -22,16 +23,17 @@ def labels(result: ResultField) -> tuple[str, ...]:
 
 
 def need_bounds(kernels: ModuleType, fields: Iterable[str]) -> bool:
-    """Return whether any of a scene's results that are wanted needs bounds on errors.
+    """Return whether any of a scene's arrays that are wanted needs bounds on errors.
 
     Parameters
     ----------
     kernels
         The scene's generated NumPy module.
     fields
-        The names of the results that are wanted.
+        The names of the arrays that are wanted.
     """
-    return not kernels.DIAGNOSTIC_RESULTS.isdisjoint(fields)
+    wanted = set(fields)
+    return "event_errors" in wanted or not kernels.DIAGNOSTIC_RESULTS.isdisjoint(wanted)
 
 
 class ResultArrays:
@@ -41,7 +43,8 @@ class ResultArrays:
     ----------
     arrays
         Results by name; `events` and `event_counts` are the event log, with rows for
-        max_contacts + 1 events of each shot, and the numbers of rows that are used.
+        max_contacts + 1 events of each shot, and the numbers of rows that are used. With the log
+        there may be `event_errors`, with as many rows.
     """
 
     def __init__(self, **arrays: NDArray[Any]) -> None:
@@ -83,6 +86,8 @@ class Layout:
         Names of the results that a batch has by default, and of those that it has only by request.
     event
         Type of a row of the event log, with the layout of the C struct.
+    error
+        Type of the bounds on errors of such a row.
     surfaces
         Number of bodies, which is that of the columns of `counts`.
     rows
@@ -113,6 +118,8 @@ class Layout:
                 ("kind", np.int64),
             ]
         )
+        logged = {name: self._rooms[name] for name, one in self.results.items() if one.switch}
+        self.error = np.dtype([(name, dtype, shape) for name, (shape, dtype) in logged.items()])
 
     @property
     def by_column(self) -> tuple[ResultField, ...]:
@@ -183,7 +190,9 @@ class Layout:
             }
         )
 
-    def allocate_events(self, shots: int, max_contacts: int) -> ResultArrays:
+    def allocate_events(
+        self, shots: int, max_contacts: int, *, errors: bool = False
+    ) -> ResultArrays:
         """Return arrays for the event log of so many shots.
 
         Parameters
@@ -192,8 +201,53 @@ class Layout:
             Number of shots.
         max_contacts
             The greatest number of contacts of a shot.
+        errors
+            Whether the log has bounds on errors.
         """
-        return ResultArrays(
-            events=np.empty((shots, self.log_rows(max_contacts)), self.event),
-            event_counts=np.zeros(shots, np.int32),
+        rooms = shots, self.log_rows(max_contacts)
+        log = ResultArrays(
+            events=np.empty(rooms, self.event), event_counts=np.zeros(shots, np.int32)
         )
+        return log.joined(ResultArrays(event_errors=np.empty(rooms, self.error))) if errors else log
+
+    def logged_errors(self, wanted: Iterable[str]) -> tuple[str, ...]:
+        """Return the names of the bounds on errors that the event log has for wanted fields.
+
+        Parameters
+        ----------
+        wanted
+            Names of fields.
+        """
+        return tuple(name for name in self.error.names or () if name in wanted)
+
+    def logged(self, log: ResultArrays, used: NDArray[np.bool_], wanted: Iterable[str]) -> Any:
+        """Return rows of an event log, with the bounds on errors that are wanted, (m,).
+
+        Parameters
+        ----------
+        log
+            The arrays of `allocate_events`.
+        used
+            Which of its rows, (shots, rows).
+        wanted
+            Names of fields.
+        """
+        events = log.arrays["events"][used]
+        if not (names := self.logged_errors(wanted)):
+            return events
+        rows = np.empty(len(events), self.event_with(names))
+        for name in self.event.names or ():
+            rows[name] = events[name]
+        for name in names:
+            rows[name] = log.arrays["event_errors"][name][used]
+        return rows
+
+    def event_with(self, errors: Sequence[str]) -> np.dtype[Any]:
+        """Return the type of a row of `Shots.events`, with some bounds on errors.
+
+        Parameters
+        ----------
+        errors
+            Their names.
+        """
+        return np.dtype([*self.event.descr, *((name, self.error[name]) for name in errors)])

@@ -252,7 +252,9 @@ def _path(layout: result_arrays.Layout) -> tuple[str, ...]:
 def _room(
     shots: int, layout: result_arrays.Layout, fields: Sequence[str]
 ) -> result_arrays.ResultArrays:
-    return layout.allocate(shots, fields).joined(layout.allocate_events(shots, MAX_CONTACTS))
+    errors = any(layout.results[name].switch for name in fields)
+    log = layout.allocate_events(shots, MAX_CONTACTS, errors=errors)
+    return layout.allocate(shots, fields).joined(log)
 
 
 def available_widths(engine: CompiledEngine, kernels: ModuleType) -> list[int]:
@@ -299,9 +301,13 @@ def _differing_fields(
     assert got.events is not None
     if "event_counts" not in wrong:
         used = np.arange(wanted.events.shape[1]) < wanted.event_counts[:, None]
-        left, right = wanted.events[used], got.events[used]
-        if not all(_have_same_bits(left[name], right[name]) for name in left.dtype.names or ()):
-            wrong.append("events")
+        for log in ("events", "event_errors"):
+            both = [getattr(of, log) for of in (wanted, got)]
+            if any(one is None for one in both):
+                continue
+            left, right = (one[used] for one in both)
+            if not all(_have_same_bits(left[name], right[name]) for name in left.dtype.names):
+                wrong.append(log)
     return wrong
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import compress
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from hoopgen.engine.compiled_scene import CompiledScene
 
 from .batch import certify
 from .certificate import Certificate
+from .event_errors import event_errors
 
 SETTLING_BITS = 1024
 """A shot that this does not decide is a true tie, touch or edge, or soon becomes one."""
@@ -81,18 +83,19 @@ def _log(
     bodies: int,
 ) -> NDArray[np.void]:
     """Return the event log with the proved events of settled shots in place of theirs."""
-    fresh = [
-        (
-            row,
-            event.surface,
-            float(event.time),
-            *([float(component) for component in state] for state in (event.before, event.after)),
-            int(Event.END if event.surface == bodies else Event.IMPACT),
-        )
-        for row, proof, taken in zip(rows.tolist(), certificate.proofs, proved, strict=True)
-        if taken
-        for event in proof.events
-    ]
+    proofs = list(compress(certificate.proofs, proved))
+    found = [(shot, event) for shot, proof in enumerate(proofs) for event in proof.events]
+    fresh = np.zeros(len(found), events.dtype)
+    for row, (shot, event) in zip(fresh, found, strict=True):
+        row["shot"], row["surface"], row["time"] = shot, event.surface, float(event.time)
+        row["before"], row["after"] = ([*map(float, s)] for s in (event.before, event.after))
+        row["kind"] = Event.END if event.surface == bodies else Event.IMPACT
+    bounds = {"time_error": "time_error", "state_error": "after_error"}
+    if named := bounds.keys() & {*(events.dtype.names or ())}:
+        errors = event_errors(proofs, fresh)
+        for name in named:
+            fresh[name] = errors[bounds[name]]
+    fresh["shot"] = rows[proved][fresh["shot"]]
     kept = events[~np.isin(events["shot"], rows[proved])]
-    merged = np.concatenate([kept, np.array(fresh, events.dtype)])
+    merged = np.concatenate([kept, fresh])
     return merged[np.argsort(merged["shot"], kind="stable")]

@@ -188,7 +188,8 @@ def event_columns(
 ) -> dict[str, NDArray[Any] | tuple[NDArray[Any], list[str]]]:
     """Return an event log as columns, with units in their names.
 
-    Time, kind, surface, position, and velocity and spin before and after.
+    Time, kind, surface, position, velocity and spin before and after, and the bounds on errors that
+    it has.
 
     Parameters
     ----------
@@ -209,6 +210,12 @@ def event_columns(
     for name in ("before", "after"):
         moving = enumerate(STATE[3:], 3)
         numbers |= {f"{name}_{one}": (STATE_UNITS[one], events[name][:, k]) for k, one in moving}
+    for name in scene.layout.logged_errors(events.dtype.names or ()):
+        result = scene.layout.results[name]
+        own = zip(
+            labels(result), result.units, events[name].reshape(len(events), -1).T, strict=True
+        )
+        numbers |= {label: (unit, column) for label, unit, column in own}
     columns: dict[str, Any] = {}
     for name, (si, column) in numbers.items():
         unit, size = file_unit(si, units)

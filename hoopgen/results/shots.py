@@ -84,7 +84,9 @@ class Shots:
         first needed more friction than the body has; infinite if never. The ball rolls on.
     events
         With ``record=True``: the event log, rows in order of shot, then time; their ``kind`` is an
-        `Event`. Between a ROLL row and the next one of its shot the ball stays in contact.
+        `Event`. Between a ROLL row and the next one of its shot the ball stays in contact. If
+        `time_error` or `state_error` are requested by name, it has them, too, for its times and for
+        the states after its events.
     parameters
         Parameters of the scene, one number each or (n,).
     scene

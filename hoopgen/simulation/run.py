@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -116,13 +116,14 @@ class _Batch:
             with self.scene.exact_arithmetic():  # in C a call sets it itself
                 numpy_backend.run(self.scene.kernels, *given, *rest)
 
-    def record(self, out: ResultArrays, most: int) -> NDArray[Any]:
+    def record(self, out: ResultArrays, most: int, errors: Sequence[str]) -> NDArray[Any]:
         """Simulate the shots into `out` and return their event log, in order.
 
-        The log has rows for `most` contacts of each; shots with more are simulated again.
+        The log has rows for `most` contacts of each; shots with more are simulated again. `errors`
+        are the names of the bounds on errors that it has.
         """
         layout, shots = self.scene.layout, len(self.states)
-        log = layout.allocate_events(shots, most)
+        log = layout.allocate_events(shots, most, errors=bool(errors))
         ended = layout.allocate(shots, {"outcome", "contacts"} - out.arrays.keys())
         whole = out.joined(ended).joined(log)
         self.run(whole, most)
@@ -133,12 +134,12 @@ class _Batch:
             # A shot with fewer contacts ended for another reason, and would do so again.
             again = (whole.outcome == self.scene.outcomes["CAPPED"]) & (whole.contacts >= most)
         used = np.arange(layout.log_rows(most)) < log.arrays["event_counts"][:, None]
-        logs = [log.arrays["events"][used & ~again[:, None]]]
+        logs = [layout.logged(log, used & ~again[:, None], errors)]
         more = min(LOG_GROWTH * most, self.max_contacts)
         rows, size = np.flatnonzero(again), max(1, LOG_ROWS_AT_ONCE // (more + 1))
         for some in (rows[k : k + size] for k in range(0, len(rows), size)):
             longer = layout.allocate(len(some), out.arrays)
-            logs.append(self.part(some).record(longer, more))
+            logs.append(self.part(some).record(longer, more, errors))
             logs[-1]["shot"] = some[logs[-1]["shot"]]
             for name, array in longer.arrays.items():
                 out.arrays[name][some] = array
@@ -210,8 +211,9 @@ def run(
     workers = check_threads(threads)
     by = None if derivatives is None else check_derivatives(derivatives, engine)
     logged = record or by is not None
+    errors = engine.layout.logged_errors(wanted) if record else ()
     if logged:
-        check_log(shots, most, workers, scene=engine)
+        check_log(shots, most, workers, scene=engine, errors=bool(errors))
     needed = (*(("uncertain",) if settle else ()), *(NEEDED if by is not None else ()))
     computed = tuple(dict.fromkeys((*wanted, *needed))) if needed else wanted
     inputs, left = engine.table.inputs(named), check_leaving(leaving, shots, engine.surfaces)
@@ -228,9 +230,10 @@ def run(
     elif not logged and batch.library is not None:
         _share(batch, out, workers)
     else:
-        logs = _run(batch, out, workers, logged)
+        logs = _run(batch, out, workers, errors if logged else None)
     if logged:
-        results["events"] = np.concatenate([np.empty(0, engine.layout.event), *logs])
+        none = np.empty(0, engine.layout.event_with(errors))
+        results["events"] = np.concatenate([none, *logs])
     variations = None  # along the recorded events, which settling does not change
     if by is not None:
         found = find_derivatives(engine, by, named, releases, results, results["events"])
@@ -247,7 +250,12 @@ def run(
 
 
 def check_log(
-    shots: int, max_contacts: int, threads: int | None = None, *, scene: CompiledScene
+    shots: int,
+    max_contacts: int,
+    threads: int | None = None,
+    *,
+    scene: CompiledScene,
+    errors: bool = False,
 ) -> None:
     """Refuse an event log that does not fit in memory; arguments as of `simulate`.
 
@@ -261,6 +269,8 @@ def check_log(
         The number of threads; None: the processors of this process.
     scene
         The scene.
+    errors
+        Whether the log has bounds on errors.
 
     Raises
     ------
@@ -271,7 +281,7 @@ def check_log(
     layout = scene.layout
     each = layout.log_rows(max_contacts)
     at_once = min(shots, check_threads(threads) * max(1, LOG_ROWS_AT_ONCE // each))
-    row = layout.event.itemsize + 16
+    row = layout.event.itemsize + errors * layout.error.itemsize + 16
     check_room("max_contacts", at_once * each, "events to be recorded at once", row)
 
 
@@ -294,24 +304,29 @@ def _share(batch: _Batch, out: ResultArrays, threads: int) -> None:
             one.result()
 
 
-def _run(batch: _Batch, out: ResultArrays, threads: int, record: bool) -> list[NDArray[Any]]:
-    """Run the batch in chunks; return the chunks' event logs, in order."""
+def _run(
+    batch: _Batch, out: ResultArrays, threads: int, errors: Sequence[str] | None
+) -> list[NDArray[Any]]:
+    """Run the batch in chunks; return the chunks' event logs, in order.
+
+    The logs have the bounds on errors of these names; None: there are no logs.
+    """
     shots = len(batch.states)
 
     def work(start: int) -> NDArray[Any] | None:
         stop = min(start + size, shots)
         part = batch.part(slice(start, stop))
-        if not record:
+        if errors is None:
             part.run(out, batch.max_contacts, first=start, last=last)
             return None
-        log = part.record(out.rows(start, stop), first)
+        log = part.record(out.rows(start, stop), first, errors)
         log["shot"] += start
         return log
 
     in_c, on_gpu = batch.library is not None, isinstance(batch.library, CudaEngine)
     size = max(-(-shots // threads), 1 if in_c else MIN_SHOTS_PER_THREAD)
     first = min(FIRST_LOG_CONTACTS, batch.max_contacts)
-    if record:
+    if errors is not None:
         size = max(1, min(size, LOG_ROWS_AT_ONCE // (first + 1)))
     starts = range(0, shots, size)
     last = numpy_backend.SharedTail(len(starts), shots)

@@ -152,6 +152,7 @@ static uint64_t call(size_t n, int width, int logged, const double *shots, size_
     out.uncertain = WANTED ? room(n, sizeof *out.uncertain) : NULL;
     out.events = logged ? room(n * ((size_t)most + 1), sizeof *out.events) : NULL;
     out.event_counts = logged ? room(n, sizeof *out.event_counts) : NULL;
+    out.event_errors = logged && WANTED ? room(n * ((size_t)most + 1), sizeof *out.event_errors) : NULL;
 
     const int used = hoop_simulate(n, states, parameters, strides, leaving, most, limit, width,
                                    below(2) ? &stop : NULL, &out);
@@ -190,6 +191,7 @@ static uint64_t call(size_t n, int width, int logged, const double *shots, size_
     free(states), free(leaving), free(out.outcome), free(out.contacts), free(out.counts);
     free(out.first), free(out.time), free(out.state), free(out.time_error), free(out.state_error);
     free(out.uncertain), free(out.events), free(out.event_counts);
+    free(out.event_errors);
     return hash;
 }
 

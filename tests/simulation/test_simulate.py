@@ -738,7 +738,9 @@ def test_dtypes_and_shapes_are_those_documented(simulate: Simulate) -> None:
     }
     assert shots.time_error.shape == (2,)
     assert shots.state_error.shape == (2, 3)
-    assert shots.events.dtype.names == (*("shot", "surface", "time", "before", "after", "kind"),)
+    names = ("shot", "surface", "time", "before", "after", "kind")
+    assert shots.events.dtype.names == (*names, *BOUNDS)
+    assert simulate(SWIRL, record=True).events.dtype.names == names
 
 
 # --------------------------------------------------------------------------------- whatever comes

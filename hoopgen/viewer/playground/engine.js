@@ -94,7 +94,7 @@ const Engine = (() => {
         limit,
         about.lanes,
         0, // nobody stops it
-        put(held, Uint32Array.from([...places, log, counts])),
+        put(held, Uint32Array.from([...places, log, counts, 0])),
       );
       if (code !== about.lanes) throw new Error(`the engine returned ${code}`);
       const found = layout.results.map(([name, type, width], k) =>
