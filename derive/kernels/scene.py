@@ -16,9 +16,7 @@ from ..ir.kernel import Kernel, decision, kernel
 from ..motion.air import AirFlight
 from ..motion.air_piece import piece
 from ..motion.air_series import FIRST_SINGLE, ORDER, SHORT, SINGLE_SERIES
-from ..motion.flight import Flight
-from ..motion.parabola import Parabola
-from ..scenes import sinking, validity
+from ..scenes import premises, sinking, validity
 from ..scenes.scene import Scene
 from ..symbolic import error_terms
 from ..symbolic.conditionals import AtMost, barrier, maximum
@@ -268,7 +266,7 @@ def _flight_size(scene: Scene) -> sp.Expr:
 def _errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
     """Return the kernels of error propagation through a flight, and of the bounds from errors."""
     if scene.proves_errors:
-        return _proved_errors(scene.flight, order)
+        return _proved_errors(scene, order)
     single = scene.single_errors
     return (
         kernel(
@@ -306,11 +304,17 @@ def _errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
     )
 
 
-def _proved_errors(flight: Flight, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
+def _proved_errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
     """Return the kernels of proved bounds on errors; those at a contact are of its law."""
-    if not isinstance(flight, Parabola):
-        raise TypeError(f"expected a flight in a parabola, got {flight.source}")
-    bounds = contact_frames.error_bounds()
+    flight, bounds = scene.parabola, contact_frames.error_bounds()
+    presupposed = premises.premises(scene)
+    holds = kernel(
+        "premises",
+        presupposed or {},
+        order,
+        "Whether a shot that is released in flight fulfils the premises of the proved bounds.",
+        "conservation of energy",
+    )
     return (
         kernel(
             "normal_velocity",
@@ -350,6 +354,7 @@ def _proved_errors(flight: Flight, order: tuple[sp.Symbol, ...]) -> tuple[Kernel
                 ("claimed_errors", "Bounds on the errors of state and time that are reported."),
             )
         ),
+        *([holds] if presupposed else []),
     )
 
 

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation e119abfc0a713f2a,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 5209aef618bec63d,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -346,6 +346,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "carry_time": ("position_bound", "velocity_bound", "spin_bound", "clock_error",),
     "error_bounds": ("position_error", "velocity_error", "spin_error", "time_error",),
     "claimed_errors": ("position_error", "velocity_error", "spin_error", "time_error",),
+    "premises": ("premised",),
     "allowed": ("allowed",),
     "parameters_in_range": ("permitted",),
     "valid": ("valid", "undecided_time",),
@@ -535,143 +536,147 @@ _k37 = _float32(0.0)
 _k38 = _float32(1.0009765625)
 _k39 = _float32(_inf)
 _k40 = _float32(4.440892098500626e-16)
-_k41 = _float64(1073741824.0)
-_k42 = _float64(9.313225746154785e-10)
-_k43 = _float64(1.2676506002282294e+30)
-_k44 = _scalar(0.5)
-_k45 = _scalar(1.0)
-_k46 = _scalar(2.0)
-_k47 = _scalar(1.7763568394002505e-15)
-_k48 = _float64(2.0)
-_k49 = _float64(4.0)
-_k50 = _float64(1.7763568394002505e-15)
-_k51 = _scalar(8.0)
-_k52 = _float64(8.0)
-_k53 = _float64(2.9802322387695312e-08)
-_k54 = _float64(2.842170943040401e-14)
-_k55 = _float64(0.03125)
-_k56 = _float64(5.960464477539063e-08)
-_k57 = _scalar(1073741824.0)
-_k58 = _float64(-1.0)
-_k59 = _float64(3.0)
-_k60 = _float32(1.0)
-_k61 = _scalar(9.313225746154785e-10)
-_k62 = _scalar(1.0000000000009095)
-_k63 = _float64(1.0000000000009095)
-_k64 = _scalar(_float32(7.62939453125e-06))
-_k65 = _scalar(_float32(1.02))
-_k66 = _scalar(_float32(100.0))
-_k67 = _scalar(_float32(1.0))
-_k68 = _scalar(_float32(4194304.0))
-_k69 = _scalar(_float32(9.5367431640625e-07))
-_k70 = _float32(0.6)
-_k71 = _float32(0.4)
-_k72 = _scalar(_float32(1.5543122344752192e-15))
-_k73 = _scalar(_float32(4.0))
-_k74 = _scalar(_float32(0.6))
-_k75 = _scalar(_float32(0.421875))
-_k76 = _scalar(_float32(0.578125))
-_k77 = _scalar(_float32(0.25))
-_k78 = _scalar(_float32(0.125))
-_k79 = _scalar(_float32(0.015625))
-_k80 = _float32(1.02)
-_k81 = _float32(7.62939453125e-06)
-_k82 = _float32(100.0)
-_k83 = _float32(4194304.0)
-_k84 = _float32(9.5367431640625e-07)
-_k85 = _float32(1.5543122344752192e-15)
-_k86 = _float32(4.0)
-_k87 = _float32(0.421875)
-_k88 = _float32(0.578125)
-_k89 = _float32(0.125)
-_k90 = _float32(0.015625)
-_k91 = _float32(0.25)
-_k92 = _scalar(0.6)
-_k93 = _float64(0.0625)
-_k94 = _scalar(_float32(1.5))
-_k95 = _float32(16.0)
-_k96 = _scalar(_float32(1.125))
-_k97 = _scalar(_float32(1.7763568394002505e-15))
-_k98 = _float32(3.5)
-_k99 = _float32(7.0)
-_k100 = _float32(1.5)
-_k101 = _float32(1.125)
-_k102 = _float32(1.7763568394002505e-15)
-_k103 = _float64(1.00006103515625)
-_k104 = _float64(0.0001220703125)
-_k105 = _scalar(4.0)
-_k106 = _float64(0.000244140625)
-_k107 = _float64(1.52587890625e-05)
-_k108 = _float64(5.820766091346741e-11)
-_k109 = _float64(65536.0)
-_k110 = _float64(6.0003662109375)
-_k111 = _scalar(8.881784197001252e-16)
-_k112 = _scalar(2.409919865102884e-181)
-_k113 = _scalar(-_inf)
-_k114 = _float64(8.881784197001252e-16)
-_k115 = _float64(2.409919865102884e-181)
-_k116 = _float64(-_inf)
-_k117 = _scalar(5.0)
-_k118 = _scalar(2.220446049250313e-16)
-_k119 = _scalar(3.552713678800501e-15)
-_k120 = _float64(1.3323489447131243e-15)
-_k121 = _float64(5.00030517578125)
-_k122 = _float64(3.552713678800501e-15)
-_k123 = _float64(5.0)
-_k124 = _float64(2.220446049250313e-16)
-_k125 = _scalar(9.094947017729282e-13)
-_k126 = _float64(9.094947017729282e-13)
-_k127 = _float32(1.00006103515625)
-_k128 = _scalar(_float32(4.76837158203125e-07))
-_k129 = _scalar(_float32(8.673617379884035e-19))
-_k130 = _scalar(_float32(-_inf))
-_k131 = _float32(0.0001220703125)
-_k132 = _scalar(_float32(1.000000238418579))
-_k133 = _float32(32.0)
-_k134 = _float32(4096.0)
-_k135 = _float32(0.000244140625)
-_k136 = _scalar(_float32(4096.0))
-_k137 = _float32(4.76837158203125e-07)
-_k138 = _float32(8.673617379884035e-19)
-_k139 = _float32(-_inf)
-_k140 = _float32(1.000000238418579)
-_k141 = _scalar(_float32(5.0))
-_k142 = _scalar(_float32(0.00390625))
-_k143 = _scalar(_float32(2.9802322387695312e-08))
-_k144 = _scalar(_float32(2.842170943040401e-14))
-_k145 = _float32(6.0003662109375)
-_k146 = _scalar(_float32(0.5))
-_k147 = _float32(5.0048828125)
-_k148 = _scalar(_float32(5.684341886080802e-14))
-_k149 = _scalar(_float32(2.384185791015625e-07))
-_k150 = _float32(128.0)
-_k151 = _float32(2.842170943040401e-14)
-_k152 = _float32(0.00390625)
-_k153 = _float32(5.0)
-_k154 = _float32(2.9802322387695312e-08)
-_k155 = _float32(5.684341886080802e-14)
-_k156 = _float32(2.384185791015625e-07)
-_k157 = _float32(6.0)
-_k158 = _scalar(_float32(8.0))
-_k159 = _scalar(_float32(0.0001220703125))
-_k160 = _scalar(_float32(3.814697265625e-06))
-_k161 = _scalar(_float32(3.0))
-_k162 = _scalar(_float32(0.000244140625))
-_k163 = _float32(8.0)
-_k164 = _float32(3.814697265625e-06)
-_k165 = _float32(3.0)
-_k166 = _float64(8.940696716308594e-08)
-_k167 = _float32(1.00048828125)
-_k168 = _float32(0.00048828125)
-_k169 = _float32(1.4143014047294855)
-_k170 = _float32(1.52587890625e-05)
-_k171 = _scalar(2.222614453595284e-16)
-_k172 = _scalar(2.001953125)
-_k173 = _float64(6.667843360785852e-16)
-_k174 = _float64(8.890457814381136e-16)
-_k175 = _float64(2.222614453595284e-16)
-_k176 = _float64(2.001953125)
-_k177 = _float64(7.105427357601002e-15)
+_k41 = _float64(1.0000009536743164)
+_k42 = _float64(12.0)
+_k43 = _float64(2.0)
+_k44 = _float64(65536.0)
+_k45 = _float64(1.5000014305114746)
+_k46 = _float64(16.0)
+_k47 = _float64(1073741824.0)
+_k48 = _float64(9.313225746154785e-10)
+_k49 = _float64(1.2676506002282294e+30)
+_k50 = _scalar(0.5)
+_k51 = _scalar(1.0)
+_k52 = _scalar(2.0)
+_k53 = _scalar(1.7763568394002505e-15)
+_k54 = _float64(4.0)
+_k55 = _float64(1.7763568394002505e-15)
+_k56 = _scalar(8.0)
+_k57 = _float64(8.0)
+_k58 = _float64(2.9802322387695312e-08)
+_k59 = _float64(2.842170943040401e-14)
+_k60 = _float64(0.03125)
+_k61 = _float64(5.960464477539063e-08)
+_k62 = _scalar(1073741824.0)
+_k63 = _float64(-1.0)
+_k64 = _float64(3.0)
+_k65 = _float32(1.0)
+_k66 = _scalar(9.313225746154785e-10)
+_k67 = _scalar(1.0000000000009095)
+_k68 = _float64(1.0000000000009095)
+_k69 = _scalar(_float32(7.62939453125e-06))
+_k70 = _scalar(_float32(1.02))
+_k71 = _scalar(_float32(100.0))
+_k72 = _scalar(_float32(1.0))
+_k73 = _scalar(_float32(4194304.0))
+_k74 = _scalar(_float32(9.5367431640625e-07))
+_k75 = _float32(0.6)
+_k76 = _float32(0.4)
+_k77 = _scalar(_float32(1.5543122344752192e-15))
+_k78 = _scalar(_float32(4.0))
+_k79 = _scalar(_float32(0.6))
+_k80 = _scalar(_float32(0.421875))
+_k81 = _scalar(_float32(0.578125))
+_k82 = _scalar(_float32(0.25))
+_k83 = _scalar(_float32(0.125))
+_k84 = _scalar(_float32(0.015625))
+_k85 = _float32(1.02)
+_k86 = _float32(7.62939453125e-06)
+_k87 = _float32(100.0)
+_k88 = _float32(4194304.0)
+_k89 = _float32(9.5367431640625e-07)
+_k90 = _float32(1.5543122344752192e-15)
+_k91 = _float32(4.0)
+_k92 = _float32(0.421875)
+_k93 = _float32(0.578125)
+_k94 = _float32(0.125)
+_k95 = _float32(0.015625)
+_k96 = _float32(0.25)
+_k97 = _scalar(0.6)
+_k98 = _float64(0.0625)
+_k99 = _scalar(_float32(1.5))
+_k100 = _float32(16.0)
+_k101 = _scalar(_float32(1.125))
+_k102 = _scalar(_float32(1.7763568394002505e-15))
+_k103 = _float32(3.5)
+_k104 = _float32(7.0)
+_k105 = _float32(1.5)
+_k106 = _float32(1.125)
+_k107 = _float32(1.7763568394002505e-15)
+_k108 = _float64(1.00006103515625)
+_k109 = _float64(0.0001220703125)
+_k110 = _scalar(4.0)
+_k111 = _float64(0.000244140625)
+_k112 = _float64(1.52587890625e-05)
+_k113 = _float64(5.820766091346741e-11)
+_k114 = _float64(6.0003662109375)
+_k115 = _scalar(8.881784197001252e-16)
+_k116 = _scalar(2.409919865102884e-181)
+_k117 = _scalar(-_inf)
+_k118 = _float64(8.881784197001252e-16)
+_k119 = _float64(2.409919865102884e-181)
+_k120 = _float64(-_inf)
+_k121 = _scalar(5.0)
+_k122 = _scalar(2.220446049250313e-16)
+_k123 = _scalar(3.552713678800501e-15)
+_k124 = _float64(1.3323489447131243e-15)
+_k125 = _float64(5.00030517578125)
+_k126 = _float64(3.552713678800501e-15)
+_k127 = _float64(5.0)
+_k128 = _float64(2.220446049250313e-16)
+_k129 = _scalar(9.094947017729282e-13)
+_k130 = _float64(9.094947017729282e-13)
+_k131 = _float32(1.00006103515625)
+_k132 = _scalar(_float32(4.76837158203125e-07))
+_k133 = _scalar(_float32(8.673617379884035e-19))
+_k134 = _scalar(_float32(-_inf))
+_k135 = _float32(0.0001220703125)
+_k136 = _scalar(_float32(1.000000238418579))
+_k137 = _float32(32.0)
+_k138 = _float32(4096.0)
+_k139 = _float32(0.000244140625)
+_k140 = _scalar(_float32(4096.0))
+_k141 = _float32(4.76837158203125e-07)
+_k142 = _float32(8.673617379884035e-19)
+_k143 = _float32(-_inf)
+_k144 = _float32(1.000000238418579)
+_k145 = _scalar(_float32(5.0))
+_k146 = _scalar(_float32(0.00390625))
+_k147 = _scalar(_float32(2.9802322387695312e-08))
+_k148 = _scalar(_float32(2.842170943040401e-14))
+_k149 = _float32(6.0003662109375)
+_k150 = _scalar(_float32(0.5))
+_k151 = _float32(5.0048828125)
+_k152 = _scalar(_float32(5.684341886080802e-14))
+_k153 = _scalar(_float32(2.384185791015625e-07))
+_k154 = _float32(128.0)
+_k155 = _float32(2.842170943040401e-14)
+_k156 = _float32(0.00390625)
+_k157 = _float32(5.0)
+_k158 = _float32(2.9802322387695312e-08)
+_k159 = _float32(5.684341886080802e-14)
+_k160 = _float32(2.384185791015625e-07)
+_k161 = _float32(6.0)
+_k162 = _scalar(_float32(8.0))
+_k163 = _scalar(_float32(0.0001220703125))
+_k164 = _scalar(_float32(3.814697265625e-06))
+_k165 = _scalar(_float32(3.0))
+_k166 = _scalar(_float32(0.000244140625))
+_k167 = _float32(8.0)
+_k168 = _float32(3.814697265625e-06)
+_k169 = _float32(3.0)
+_k170 = _float64(8.940696716308594e-08)
+_k171 = _float32(1.00048828125)
+_k172 = _float32(0.00048828125)
+_k173 = _float32(1.4143014047294855)
+_k174 = _float32(1.52587890625e-05)
+_k175 = _scalar(2.222614453595284e-16)
+_k176 = _scalar(2.001953125)
+_k177 = _float64(6.667843360785852e-16)
+_k178 = _float64(8.890457814381136e-16)
+_k179 = _float64(2.222614453595284e-16)
+_k180 = _float64(2.001953125)
+_k181 = _float64(7.105427357601002e-15)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -932,6 +937,20 @@ def claimed_errors(clock_error: Any, position_bound: Any, velocity_bound: Any, s
     return position_bound, velocity_bound, spin_bound, clock_error
 
 
+def premises(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, contacts: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_restitution: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
+    """Whether a shot that is released in flight fulfils the premises of the proved bounds.
+
+    conservation of energy. 60 operations: 21 additions, 17 multiplications, 1 division, 1 negation, 13 absolute values, 4 comparisons, 3 conjunctions.
+    """
+    _s0 = ((((vx * vx) + (vy * vy)) + (vz * vz)) + ((0.6666666666666666 * (p_ball_radius * p_ball_radius)) * (((wx * wx) + (wy * wy)) + (wz * wz)))) / p_gravity
+    _s1 = ((((_absolute(p_ball_radius) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_bottom)
+    _s2 = ((((_s1 + _absolute(p_board_top)) + _absolute(p_bridge_half_width)) + _absolute((-p_end_depth))) + _absolute(p_end_depth)) + _absolute(x)
+    _s3 = (_s2 + _absolute(y)) + _absolute(z)
+    _s4 = p_ball_radius + p_wire_radius
+    _s5 = (1.0000009536743164 * (((12.0 + (2.0 * contacts)) * (_s0 + (2.0 * _s3))) + _s3)) <= (65536.0 * _s4)
+    return _logical_and(_logical_and(_logical_and((p_restitution <= 1.0), _s5), ((1.5000014305114746 * _s4) <= p_ring_radius)), ((1.0000009536743164 * p_ring_radius) <= (16.0 * _s4))),
+
+
 def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_bridge_half_width: Any, p_restitution: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
     """1 if finite parameters are allowed.
 
@@ -965,8 +984,8 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = p_ball_radius + p_wire_radius
     _s3 = _subtract(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0), _s2 * _s2, _r0)
-    _s4 = _absolute(last, _r2) < _k44
-    _s5 = _select(_s4, _k45, _select(_k7 <= _s3, _k45, _k7, _r2), _r3)
+    _s4 = _absolute(last, _r2) < _k50
+    _s5 = _select(_s4, _k51, _select(_k7 <= _s3, _k51, _k7, _r2), _r3)
     _s6 = p_ball_radius - p_board_distance
     _s7 = _subtract(x, _s6, _r4)
     _s8 = 2.0 * p_ball_radius
@@ -980,7 +999,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s16 = _select(_s14 < _s15, _s15, _s14, _r12)
     _s17 = _subtract(z, p_board_top, _r13)
     _s18 = _select(_s16 < _s17, _s17, _s16, _r14)
-    _s19 = _absolute(_subtract(last, _k45, _r15), _r15) < _k44
+    _s19 = _absolute(_subtract(last, _k51, _r15), _r15) < _k50
     _s20 = _select(_s19, _s5, _select(_k7 <= _s18, _s5, _k7, _r15), _r16)
     _s21 = _subtract(z, _s2, _r17)
     _s22 = _subtract((_s2 - _s8) - (2.0 * p_wire_radius), z, _r18)
@@ -994,13 +1013,13 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s30 = _select(_s29 < x, x, _s29, _r25)
     _s31 = _negative(_add(p_board_distance, x, _r26), _r26)
     _s32 = _select(_s30 < _s31, _s31, _s30, _r27)
-    _s33 = _absolute(_subtract(last, _k46, _r28), _r28) < _k44
+    _s33 = _absolute(_subtract(last, _k52, _r28), _r28) < _k50
     _s34 = ((((_absolute(p_board_bottom) + _absolute(p_board_top)) + _absolute(p_ball_radius)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(p_board_distance)
     _s35 = _add(_add(((_s34 + _absolute(p_board_half_width)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth), _absolute(x, _r28), _r28), _absolute(y, _r29), _r29)
-    _s36 = _multiply(_k47, _add(_s35, _absolute(z, _r28), _r28), _r28)
-    _s37 = _select(_s4, _k7, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29), _k45, _k7, _r29), _r0)
-    _s38 = _select(_s19, _s37, _select(_absolute(_s18, _r14) <= _s36, _k45, _s37, _r14), _r13)
-    return _result(_s33, _s20, _select(_k7 <= _s32, _s20, _k7, _r12), _r0), _result(_s33, _s38, _select(_absolute(_s32, _r27) <= _s36, _k45, _s38, _r27), _r0)
+    _s36 = _multiply(_k53, _add(_s35, _absolute(z, _r28), _r28), _r28)
+    _s37 = _select(_s4, _k7, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29), _k51, _k7, _r29), _r0)
+    _s38 = _select(_s19, _s37, _select(_absolute(_s18, _r14) <= _s36, _k51, _s37, _r14), _r13)
+    return _result(_s33, _s20, _select(_k7 <= _s32, _s20, _k7, _r12), _r0), _result(_s33, _s38, _select(_absolute(_s32, _r27) <= _s36, _k51, _s38, _r27), _r0)
 
 
 def aside(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1012,7 +1031,7 @@ def aside(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire
     _s0 = ((((_absolute(p_board_bottom) + _absolute(p_board_top)) + _absolute(p_ball_radius)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(p_board_distance)
     _s1 = _absolute(x, _r0)
     _s2 = _add(_add(((_s0 + _absolute(p_board_half_width)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth), _s1, _r1), _absolute(y, _r2), _r2)
-    _s3 = _multiply(_k51, _multiply(_k47, _add(_s2, _absolute(z, _r1), _r1), _r1), _r1)
+    _s3 = _multiply(_k56, _multiply(_k53, _add(_s2, _absolute(z, _r1), _r1), _r1), _r1)
     _s4 = p_ball_radius - p_board_distance
     _s5 = _logical_and((_s3 < _subtract(_s1, (p_ball_radius + p_ring_radius) + p_wire_radius, _r0)), _logical_or((_s3 < _subtract(x, _s4, _r0)), (_s3 < _subtract(_s4 - (2.0 * p_ball_radius), x, _r0))))
     _s6 = _logical_not(_logical_and(_s5, _logical_or((_s3 < x), (_s3 < _negative(_add(p_board_distance, x, _r0), _r0)))))
@@ -1129,7 +1148,7 @@ def tie_undecided(time: Any, when: Any, delay: Any, earliest_delay: Any, undecid
     _s0 = _add(delay, earliest_delay, _r0)
     _s1 = time < when
     _s2 = _select(_s1, time, when, _r1)
-    _s3 = _multiply(_k44, _s2, _r2)
+    _s3 = _multiply(_k50, _s2, _r2)
     _s4 = _subtract(_s2, _select(_s3 < _s0, _s3, _s0, _r3), _r3)
     _s5 = _result(_logical_and(_logical_and(arrives, (_absolute(_subtract(time, when, _r2), _r2) <= _s0)), (_s4 < undecided_time)), _s4, undecided_time, _r0)
     return _s5, _result(_logical_and(arrives, _s1), delay, earliest_delay, _r0)
@@ -1308,8 +1327,8 @@ def state_in_range(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, w
     Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions.
     """
     _r0, = _room[:1]
-    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) <= _k57), (_absolute(y, _r0) <= _k57)), (_absolute(z, _r0) <= _k57)), (_absolute(vx, _r0) <= _k57)), (_absolute(vy, _r0) <= _k57))
-    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) <= _k57)), (_absolute(wx, _r0) <= _k57)), (_absolute(wy, _r0) <= _k57)), (_absolute(wz, _r0) <= _k57))
+    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) <= _k62), (_absolute(y, _r0) <= _k62)), (_absolute(z, _r0) <= _k62)), (_absolute(vx, _r0) <= _k62)), (_absolute(vy, _r0) <= _k62))
+    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) <= _k62)), (_absolute(wx, _r0) <= _k62)), (_absolute(wy, _r0) <= _k62)), (_absolute(wz, _r0) <= _k62))
     return _s1,
 
 
@@ -1496,15 +1515,15 @@ def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: An
     Table 1. 34 operations: 6 additions, 3 subtractions, 10 multiplications, 1 negation, 7 comparisons, 2 conjunctions, 1 complement, 4 selections.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
-    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k61, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k66, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
     _s1 = _select(pad < earliest_delay, _k8, _s0, _r0)
     _s2 = _add(x, _multiply(vx, horizon, _r2), _r2)
     _s3 = _select(_s2 < x, _s2, x, _r3)
-    _s4 = _subtract(p_ring_radius, _multiply(_k46, _s1, _r4), _r4)
+    _s4 = _subtract(p_ring_radius, _multiply(_k52, _s1, _r4), _r4)
     _s5 = -p_board_distance
     _s6 = _select(_s3 < _s5, _s5, _s3, _r5)
     _s7 = _select(_k7 < _s6, _k7, _s6, _r6)
-    _s8 = _logical_and((_s1 < _subtract(_s3, p_ball_radius - p_board_distance, _r7)), _logical_and((_k7 < _s4), (_multiply(_k62, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s7, _s7, _r6), _r6), _r6) < _multiply(_s4, _s4, _r4))))
+    _s8 = _logical_and((_s1 < _subtract(_s3, p_ball_radius - p_board_distance, _r7)), _logical_and((_k7 < _s4), (_multiply(_k67, _add(p_bridge_half_width * p_bridge_half_width, _multiply(_s7, _s7, _r6), _r6), _r6) < _multiply(_s4, _s4, _r4))))
     return _logical_not(_s8),
 
 
@@ -1567,8 +1586,8 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s39 = _add(_add(_s1, _s4, _r36), _s38, _r36)
     _s40 = _add(_multiply(place_s, left_bend_s, _r37), _multiply(place_e, left_bend_e, _r38), _r38)
     _s41 = _multiply(_add(_s37, _s39, _r37), _s40, _r37)
-    _s42 = _multiply(_k64, _add(_multiply(t, _s41, _r39), _s9, _r39), _r39)
-    _s43 = _add(_add(_add(root_offset, _multiply(_multiply(_k65, _multiply(sharpest_bend, _s9, _r40), _r40), _s9, _r40), _r40), _add(_s35, _multiply(pace_e, _absolute(_s36, _r41), _r41), _r41), _r41), _s42, _r41)
+    _s42 = _multiply(_k69, _add(_multiply(t, _s41, _r39), _s9, _r39), _r39)
+    _s43 = _add(_add(_add(root_offset, _multiply(_multiply(_k70, _multiply(sharpest_bend, _s9, _r40), _r40), _s9, _r40), _r40), _add(_s35, _multiply(pace_e, _absolute(_s36, _r41), _r41), _r41), _r41), _s42, _r41)
     _s44 = _absolute(normal_velocity, _r40)
     _s45 = _divide(_multiply(_k26, _s43, _r41), _s44, _r41)
     _s46 = _add(_k24, _multiply(_k25, _add(_add(_add(_s37, _s1, _r34), _s4, _r34), _s38, _r34), _r34), _r34)
@@ -1576,20 +1595,20 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s48 = _add(_multiply(p_gravity, _s45, _r3), _s47, _r3)
     _s49 = _add(_s48, _s39, _r1)
     _s50 = _add(_multiply(_s45, _s49, _r32), _s9, _r32)
-    _s51 = _multiply(_k65, sharpest_bend, _r7)
+    _s51 = _multiply(_k70, sharpest_bend, _r7)
     _s52 = _multiply(_s51, _s50, _r42)
     _s53 = _subtract(_multiply(_k28, _add(_add(_multiply(_absolute(_s0, _r43), _s45, _r43), _multiply(_s52, _s49, _r44), _r44), _s47, _r44), _r44), _s44, _r44)
-    _s54 = _subtract(_multiply(_k66, _multiply(sharpest_bend, _s50, _r43), _r43), _k67, _r43)
+    _s54 = _subtract(_multiply(_k71, _multiply(sharpest_bend, _s50, _r43), _r43), _k72, _r43)
     _s55 = _select(_s53 < _s54, _s54, _s53, _r45)
     _s56 = _add(_multiply(_s6, _multiply(_s45, _s45, _r46), _r46), _multiply(_s45, _s47, _r35), _r35)
     _s57 = _divide(_add(_multiply(_s52, _s50, _r46), _s56, _r46), _s44, _r46)
     _s58 = _add(_multiply(_s57, _s39, _r47), _s56, _r47)
     _s59 = _add(_add(root_level, _s58, _r35), _add(_add(_multiply(_absolute(nx, _r48), _s3, _r48), _multiply(_absolute(ny, _r49), _s5, _r49), _r49), _multiply(_absolute(nz, _r48), _s8, _r48), _r48), _r48)
     _s60 = _multiply(bend_s, _s59, _r35)
-    _s61 = _subtract(_multiply(_k68, _add(_multiply(place_n, left_bend_s, _r49), _s60, _r49), _r49), _k67, _r49)
+    _s61 = _subtract(_multiply(_k73, _add(_multiply(place_n, left_bend_s, _r49), _s60, _r49), _r49), _k72, _r49)
     _s62 = _multiply(_k27, _s59, _r48)
     _s63 = _select(_s55 < _s61, _s61, _s55, _r50) <= _k29
-    _s64 = _divide(_k67, normal_velocity, _r50)
+    _s64 = _divide(_k72, normal_velocity, _r50)
     _s65 = _negative(_multiply(_s64, _s36, _r33), _r33)
     _s66 = _add(_multiply(_s65, _s20, _r49), _multiply(t, _s14, _r45), _r45)
     _s67 = _k29 < continued
@@ -1612,18 +1631,18 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s84 = _multiply(left_bend_s, _s31, _r59)
     _s85 = _subtract(_multiply(_s18, _s83, _r60), _multiply(_s84, _s16, _r61), _r61)
     _s86 = _add(_multiply(_s82, _s20, _r60), _add(_multiply(t, _s85, _r62), _s74, _r62), _r62)
-    _s87 = _select(_s67, product_11, _k67, _r60)
+    _s87 = _select(_s67, product_11, _k72, _r60)
     _s88 = _add(_add(_add(_multiply(_s66, _s68, _r63), _multiply(_s71, _s72, _r64), _r64), _multiply(_s75, _s76, _r63), _r63), _multiply(_s80, _s81, _r64), _r64) + _multiply(_s86, _s87, _r63)
     _s89 = _result(_s67, origin_s, place_s, _r0)
     _s90 = _select(_s67, product_52, _k29, _r63)
     _s91 = _select(_s67, product_32, _k29, _r64)
     _s92 = _select(_s67, product_42, _k29, _r65)
-    _s93 = _select(_s67, product_22, _k67, _r66)
+    _s93 = _select(_s67, product_22, _k72, _r66)
     _s94 = _select(_s67, product_12, _k29, _r67)
     _s95 = _add(_add(_add(_multiply(_s66, _s90, _r68), _multiply(_s71, _s91, _r69), _r69), _multiply(_s75, _s92, _r68), _r68), _multiply(_s80, _s93, _r69), _r69) + _multiply(_s86, _s94, _r68)
     _s96 = _result(_s67, origin_e, place_e, _r0)
     _s97 = _select(_s67, product_53, _k29, _r68)
-    _s98 = _select(_s67, product_33, _k67, _r69)
+    _s98 = _select(_s67, product_33, _k72, _r69)
     _s99 = _select(_s67, product_43, _k29, _r70)
     _s100 = _select(_s67, product_23, _k29, _r71)
     _s101 = _select(_s67, product_13, _k29, _r72)
@@ -1631,12 +1650,12 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s103 = _result(_s67, origin_u, pace_n, _r0)
     _s104 = _select(_s67, product_54, _k29, _r73)
     _s105 = _select(_s67, product_34, _k29, _r74)
-    _s106 = _select(_s67, product_44, _k67, _r75)
+    _s106 = _select(_s67, product_44, _k72, _r75)
     _s107 = _select(_s67, product_24, _k29, _r76)
     _s108 = _select(_s67, product_14, _k29, _r77)
     _s109 = _add(_add(_add(_multiply(_s66, _s104, _r78), _multiply(_s71, _s105, _r79), _r79), _multiply(_s75, _s106, _r78), _r78), _multiply(_s80, _s107, _r79), _r79) + _multiply(_s86, _s108, _r78)
     _s110 = _result(_s67, origin_v, pace_s, _r0)
-    _s111 = _select(_s67, product_55, _k67, _r78)
+    _s111 = _select(_s67, product_55, _k72, _r78)
     _s112 = _select(_s67, product_35, _k29, _r79)
     _s113 = _select(_s67, product_45, _k29, _r80)
     _s114 = _select(_s67, product_25, _k29, _r81)
@@ -1655,15 +1674,15 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s127 = _absolute(_s20, _r83)
     _s128 = _divide(_add(root_offset, _s42, _r90), _s44, _r90)
     _s129 = _add(_multiply(_s127, _s128, _r91), _add(_add(_multiply(_absolute(_s13, _r92), _s5, _r92), _multiply(_absolute(_s12, _r93), _s3, _r93), _r93), _multiply(_absolute(_s19, _r92), _s8, _r92), _r92), _r92)
-    _s130 = _add(_add(_s58, _multiply(_k64, _s50, _r32), _r32), _s42, _r32)
+    _s130 = _add(_add(_s58, _multiply(_k69, _s50, _r32), _r32), _s42, _r32)
     _s131 = _negative(_multiply(_s64, _s11, _r50), _r50)
     _s132 = _add(_multiply(_s131, _s20, _r8), _s70, _r8)
-    _s133 = _add(_multiply(_k69, pace_e, _r39), _select(_s67, recent_w, _k29, _r91), _r91)
-    _s134 = _add(_multiply(_k69, pace_n, _r39), _select(_s67, recent_u, _k29, _r93), _r93)
-    _s135 = _add(_multiply(_k69, pace_s, _r39), _select(_s67, recent_v, _k29, _r94), _r94)
-    _s136 = _add(_multiply(_k69, place_e, _r39), _select(_s67, recent_e, _k29, _r95), _r95)
+    _s133 = _add(_multiply(_k74, pace_e, _r39), _select(_s67, recent_w, _k29, _r91), _r91)
+    _s134 = _add(_multiply(_k74, pace_n, _r39), _select(_s67, recent_u, _k29, _r93), _r93)
+    _s135 = _add(_multiply(_k74, pace_s, _r39), _select(_s67, recent_v, _k29, _r94), _r94)
+    _s136 = _add(_multiply(_k74, place_e, _r39), _select(_s67, recent_e, _k29, _r95), _r95)
     _s137 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s132, _r39), _r39), _multiply(_absolute(_s66, _r96), _s133, _r96), _r96), _multiply(_absolute(_s71, _r39), _s134, _r39), _r39), _multiply(_absolute(_s75, _r96), _s135, _r96), _r96), _multiply(_absolute(_s80, _r39), _s136, _r39), _r39)
-    _s138 = _add(_multiply(_k69, place_s, _r96), _select(_s67, recent_s, _k29, _r97), _r97)
+    _s138 = _add(_multiply(_k74, place_s, _r96), _select(_s67, recent_s, _k29, _r97), _r97)
     _s139 = _k27 * _add(_add(_s129, _s130, _r96), _add(_s137, _multiply(_absolute(_s86, _r98), _s138, _r98), _r98), _r98)
     _s140 = _multiply(_k27, _add(_s126, _s139, _r98), _r98)
     _s141 = _add(_multiply(_s65, _s16, _r96), _multiply(t, _s17, _r39), _r39)
@@ -1711,14 +1730,14 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s183 = _add(_s181, _multiply(_absolute(_s182, _r113), _s125, _r113), _r113)
     _s184 = _add(_multiply(p_gravity, _s128, _r90), _s46, _r90)
     _s185 = _add(_s184, _add(_multiply(_absolute(_s166, _r6), _s129, _r6), _multiply(_absolute(_s169, _r107), _s160, _r107), _r107), _r107)
-    _s186 = _k70 + p_restitution
-    _s187 = _k71 * p_ball_radius
+    _s186 = _k75 + p_restitution
+    _s187 = _k76 * p_ball_radius
     _s188 = _add(normal_rounding, _s60, _r6)
     _s189 = _add(_add(_absolute(wx, _r34), _absolute(wy, _r109), _r109), _absolute(wz, _r34), _r34)
     _s190 = _multiply(_multiply(_s187, _s188, _r109), _s189, _r109)
     _s191 = _multiply(p_ball_radius, _s189, _r114)
     _s192 = _add(_s191, _s39, _r115)
-    _s193 = _add(_k24, _multiply(_k72, _s192, _r116), _r116)
+    _s193 = _add(_k24, _multiply(_k77, _s192, _r116), _r116)
     _s194 = _multiply(p_gravity, _s57, _r46)
     _s195 = _k36 * _s186
     _s196 = _multiply(_add(bend_s, bend_e, _r117), _s130, _r117)
@@ -1726,7 +1745,7 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s198 = _add(_multiply(_s51, _s58, _r47), _multiply(_k22, _s197, _r7), _r7)
     _s199 = _add(_add(_add(_s194, _multiply(_s52, _add(_multiply(spin_bound, _s187, _r47), _multiply(_s195, _s48, _r118), _r118), _r118), _r118), _multiply(_s196, _s192, _r47), _r47), _multiply(_s198, _add(_multiply(_s187, _s189, _r118), _multiply(_s195, _s39, _r119), _r119), _r119), _r119)
     _s200 = _add(spin_bound, _multiply(_s40, _s189, _r38), _r38)
-    _s201 = _multiply(_k64, _add(_add(_multiply(p_ball_radius, _s200, _r47), _multiply(_s52, _add(_s191, _multiply(_k73, _s39, _r118), _r118), _r118), _r118), _multiply(_k22, _add(_s41, _s48, _r37), _r37), _r37), _r37)
+    _s201 = _multiply(_k69, _add(_add(_multiply(p_ball_radius, _s200, _r47), _multiply(_s52, _add(_s191, _multiply(_k78, _s39, _r118), _r118), _r118), _r118), _multiply(_k22, _add(_s41, _s48, _r37), _r37), _r37), _r37)
     _s202 = _add(_add(_s199, _multiply(_multiply(_s197, _s186, _r118), _s49, _r118), _r118), _s201, _r118)
     _s203 = _add(_add(_multiply(p_restitution, _s185, _r119), _multiply(_s186, _add(_multiply(normal_rounding, _add(_s39, _s44, _r1), _r1), _multiply(_multiply(_k22, _s60, _r35), _s44, _r35), _r35), _r35), _r35), _add(_add(_s190, _s193, _r119), _s202, _r119), _r119)
     _s204 = _add(_multiply(place_n, _absolute(_subtract(_subtract(_multiply(_s165, _s131, _r0), _multiply(_s167, _s132, _r105), _r105), _multiply(_s170, _s161, _r108), _r108), _r108), _r108), _multiply(_absolute(_s171, _r110), _s133, _r110), _r110)
@@ -1735,24 +1754,24 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s207 = _multiply(_k27, _add(_s183, _s206, _r21), _r21)
     _s208 = _multiply(_s187, _s142, _r119)
     _s209 = _select(_s67, product_61, _k29, _r27)
-    _s210 = _multiply(_k74, _s21, _r18)
-    _s211 = _k60 / p_ball_radius
+    _s210 = _multiply(_k79, _s21, _r18)
+    _s211 = _k65 / p_ball_radius
     _s212 = _add(_add(_multiply(wx, _s12, _r9), _multiply(wy, _s13, _r10), _r10), _multiply(wz, _s19, _r9), _r9)
     _s213 = _add(_add(_multiply(nx, wx, _r10), _multiply(ny, wy, _r112), _r112), _multiply(nz, wz, _r10), _r10)
     _s214 = _multiply(_s19, _s213, _r112)
     _s215 = _multiply(bend_e, _subtract(_multiply(nz, _s212, _r111), _s214, _r111), _r111)
     _s216 = _multiply(nz, bend_e, _r110)
     _s217 = _negative(_multiply(_s216, _s16, _r108), _r108)
-    _s218 = _add(_multiply(_s187, _s215, _r105), _multiply(_k74, _s217, _r0), _r0)
-    _s219 = _subtract(_add(_multiply(_s65, _s210, _r33), _add(_multiply(_s187, _negative(_multiply(_s211, _s144, _r105), _r105), _r105), _multiply(_k74, _s14, _r35), _r35), _r35), _multiply(_s218, _s141, _r33), _r33)
+    _s218 = _add(_multiply(_s187, _s215, _r105), _multiply(_k79, _s217, _r0), _r0)
+    _s219 = _subtract(_add(_multiply(_s65, _s210, _r33), _add(_multiply(_s187, _negative(_multiply(_s211, _s144, _r105), _r105), _r105), _multiply(_k79, _s14, _r35), _r35), _r35), _multiply(_s218, _s141, _r33), _r33)
     _s220 = _multiply(bend_s, normal_velocity, _r35)
-    _s221 = _multiply(_k74, _s220, _r105)
+    _s221 = _multiply(_k79, _s220, _r105)
     _s222 = _subtract(_s219, _multiply(_s66, _s221, _r1), _r1)
-    _s223 = _subtract(_subtract(_add(_multiply(_s69, _s210, _r30), _multiply(_k74, _s70, _r33), _r33), _multiply(_s218, _s143, _r30), _r30), _multiply(_s71, _s221, _r33), _r33)
-    _s224 = _subtract(_subtract(_add(_multiply(_s73, _s210, _r31), _add(_multiply(_s187, _multiply(_s211, _s17, _r30), _r30), _multiply(_k74, _s74, _r47), _r47), _r47), _multiply(_s218, _s145, _r31), _r31), _multiply(_s75, _s221, _r47), _r47)
-    _s225 = _subtract(_add(_multiply(_s77, _s210, _r28), _add(_multiply(_s187, _subtract(_multiply(_s78, _s212, _r31), _multiply(_s29, _s213, _r30), _r30), _r30), _multiply(_k74, _s79, _r55), _r55), _r55), _multiply(_s218, _s147, _r28), _r28)
+    _s223 = _subtract(_subtract(_add(_multiply(_s69, _s210, _r30), _multiply(_k79, _s70, _r33), _r33), _multiply(_s218, _s143, _r30), _r30), _multiply(_s71, _s221, _r33), _r33)
+    _s224 = _subtract(_subtract(_add(_multiply(_s73, _s210, _r31), _add(_multiply(_s187, _multiply(_s211, _s17, _r30), _r30), _multiply(_k79, _s74, _r47), _r47), _r47), _multiply(_s218, _s145, _r31), _r31), _multiply(_s75, _s221, _r47), _r47)
+    _s225 = _subtract(_add(_multiply(_s77, _s210, _r28), _add(_multiply(_s187, _subtract(_multiply(_s78, _s212, _r31), _multiply(_s29, _s213, _r30), _r30), _r30), _multiply(_k79, _s79, _r55), _r55), _r55), _multiply(_s218, _s147, _r28), _r28)
     _s226 = _subtract(_s225, _multiply(_s80, _s221, _r55), _r55)
-    _s227 = _subtract(_add(_multiply(_s82, _s210, _r25), _add(_multiply(_s187, _subtract(_multiply(_s84, _s212, _r28), _multiply(_s15, _s213, _r30), _r30), _r30), _multiply(_k74, _s85, _r61), _r61), _r61), _multiply(_s218, _s149, _r25), _r25)
+    _s227 = _subtract(_add(_multiply(_s82, _s210, _r25), _add(_multiply(_s187, _subtract(_multiply(_s84, _s212, _r28), _multiply(_s15, _s213, _r30), _r30), _r30), _multiply(_k79, _s85, _r61), _r61), _r61), _multiply(_s218, _s149, _r25), _r25)
     _s228 = _subtract(_s227, _multiply(_s86, _s221, _r61), _r61)
     _s229 = _add(_add(_add(_add(_multiply(_s208, _s209, _r25), _multiply(_s222, _s68, _r30), _r30), _multiply(_s223, _s72, _r25), _r25), _multiply(_s224, _s76, _r30), _r30), _multiply(_s226, _s81, _r25), _r25) + _multiply(_s228, _s87, _r30)
     _s230 = _select(_s67, product_62, _k29, _r30)
@@ -1764,7 +1783,7 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s236 = _select(_s67, product_65, _k29, _r114)
     _s237 = _add(_add(_add(_add(_multiply(_s208, _s236, _r25), _multiply(_s222, _s111, _r120), _r120), _multiply(_s223, _s112, _r25), _r25), _multiply(_s224, _s113, _r120), _r120), _multiply(_s226, _s114, _r25), _r25) + _multiply(_s228, _s115, _r120)
     _s238 = _add(_add(_add(_add(_multiply(_absolute(_s229, _r120), _s89, _r120), _multiply(_absolute(_s231, _r25), _s96, _r25), _r25), _multiply(_absolute(_s233, _r120), _s103, _r120), _r120), _multiply(_absolute(_s235, _r25), _s110, _r25), _r25), _multiply(_absolute(_s237, _r120), _s117, _r120), _r120)
-    _s239 = _select(_s67, product_66, _k67, _r25)
+    _s239 = _select(_s67, product_66, _k72, _r25)
     _s240 = _add(_add(_add(_add(_multiply(_s208, _s239, _r121), _multiply(_s222, _s119, _r122), _r122), _multiply(_s223, _s120, _r121), _r121), _multiply(_s224, _s121, _r122), _r122), _multiply(_s226, _s122, _r121), _r121) + _multiply(_s228, _s123, _r122)
     _s241 = _add(_s238, _multiply(_absolute(_s240, _r122), _s125, _r122), _r122)
     _s242 = _multiply(_s159, _s129, _r120)
@@ -1772,10 +1791,10 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s244 = _add(_s184, _add(_multiply(_absolute(_s220, _r35), _s129, _r35), _multiply(_absolute(_s217, _r108), _s160, _r108), _r108), _r108)
     _s245 = _add(_add(_add(_multiply(_multiply(normal_rounding, _s186, _r35), _s44, _r35), _s190, _r35), _s193, _r35), _s202, _r35)
     _s246 = _add(_multiply(place_n, _absolute(_subtract(_subtract(_multiply(_s131, _s210, _r18), _multiply(_s218, _s161, _r0), _r0), _multiply(_s132, _s221, _r105), _r105), _r105), _r105), _multiply(turn_z, _absolute(_multiply(_s187, _s17, _r0), _r0), _r0), _r0)
-    _s247 = _add(_multiply(_k69, turn_n, _r105), _select(_s67, recent_t, _k29, _r18), _r18)
+    _s247 = _add(_multiply(_k74, turn_n, _r105), _select(_s67, recent_t, _k29, _r18), _r18)
     _s248 = _add(_add(_add(_s246, _multiply(turn_z, _absolute(_multiply(_s187, _s144, _r105), _r105), _r105), _r105), _multiply(_absolute(_s208, _r119), _s247, _r119), _r119), _multiply(_absolute(_s222, _r1), _s133, _r1), _r1)
     _s249 = _add(_add(_add(_add(_s248, _multiply(_absolute(_s223, _r33), _s134, _r33), _r33), _multiply(_absolute(_s224, _r47), _s135, _r47), _r47), _multiply(_absolute(_s226, _r55), _s136, _r55), _r55), _multiply(_absolute(_s228, _r61), _s138, _r61), _r61)
-    _s250 = _k27 * _add(_add(_add(_multiply(_s187, _s243, _r55), _multiply(_k74, _s244, _r47), _r47), _s245, _r47), _s249, _r61)
+    _s250 = _k27 * _add(_add(_add(_multiply(_s187, _s243, _r55), _multiply(_k79, _s244, _r47), _r47), _s245, _r47), _s249, _r61)
     _s251 = _multiply(_k27, _add(_s241, _s250, _r61), _r61)
     _s252 = _negative(_multiply(_s187, _s70, _r43), _r43)
     _s253 = _multiply(bend_s, _s213, _r47)
@@ -1783,12 +1802,12 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s255 = _multiply(bend_e, _subtract(_multiply(nz, _s20, _r33), _multiply(normal_velocity, _s19, _r1), _r1), _r1)
     _s256 = _add(_multiply(wx, tangent_x, _r33), _multiply(wy, tangent_y, _r119), _r119)
     _s257 = _negative(_multiply(_s216, _s256, _r33), _r33)
-    _s258 = _subtract(_multiply(_k74, _s255, _r105), _multiply(_s187, _s257, _r0), _r0)
-    _s259 = _subtract(_subtract(_subtract(_multiply(_k74, _s17, _r15), _multiply(_s187, _negative(_multiply(_s211, _s74, _r105), _r105), _r105), _r105), _multiply(_s254, _s66, _r15), _r15), _multiply(_s258, _s141, _r105), _r105)
-    _s260 = _subtract(_subtract(_multiply(_k74, _s142, _r99), _multiply(_s254, _s71, _r15), _r15), _multiply(_s258, _s143, _r99), _r99)
-    _s261 = _subtract(_subtract(_subtract(_multiply(_k74, _s144, _r22), _multiply(_s187, _multiply(_s211, _s14, _r15), _r15), _r15), _multiply(_s254, _s75, _r22), _r22), _multiply(_s258, _s145, _r15), _r15)
-    _s262 = _subtract(_subtract(_subtract(_multiply(_k74, _s146, _r101), _multiply(_s187, _negative(_multiply(_s78, _s256, _r54), _r54), _r54), _r54), _multiply(_s254, _s80, _r101), _r101), _multiply(_s258, _s147, _r54), _r54)
-    _s263 = _subtract(_subtract(_subtract(_multiply(_k74, _s148, _r58), _multiply(_s187, _subtract(_multiply(_s18, _s213, _r10), _multiply(_s84, _s256, _r59), _r59), _r59), _r59), _multiply(_s254, _s86, _r58), _r58), _multiply(_s258, _s149, _r59), _r59)
+    _s258 = _subtract(_multiply(_k79, _s255, _r105), _multiply(_s187, _s257, _r0), _r0)
+    _s259 = _subtract(_subtract(_subtract(_multiply(_k79, _s17, _r15), _multiply(_s187, _negative(_multiply(_s211, _s74, _r105), _r105), _r105), _r105), _multiply(_s254, _s66, _r15), _r15), _multiply(_s258, _s141, _r105), _r105)
+    _s260 = _subtract(_subtract(_multiply(_k79, _s142, _r99), _multiply(_s254, _s71, _r15), _r15), _multiply(_s258, _s143, _r99), _r99)
+    _s261 = _subtract(_subtract(_subtract(_multiply(_k79, _s144, _r22), _multiply(_s187, _multiply(_s211, _s14, _r15), _r15), _r15), _multiply(_s254, _s75, _r22), _r22), _multiply(_s258, _s145, _r15), _r15)
+    _s262 = _subtract(_subtract(_subtract(_multiply(_k79, _s146, _r101), _multiply(_s187, _negative(_multiply(_s78, _s256, _r54), _r54), _r54), _r54), _multiply(_s254, _s80, _r101), _r101), _multiply(_s258, _s147, _r54), _r54)
+    _s263 = _subtract(_subtract(_subtract(_multiply(_k79, _s148, _r58), _multiply(_s187, _subtract(_multiply(_s18, _s213, _r10), _multiply(_s84, _s256, _r59), _r59), _r59), _r59), _multiply(_s254, _s86, _r58), _r58), _multiply(_s258, _s149, _r59), _r59)
     _s264 = _add(_add(_add(_add(_multiply(_s252, _s209, _r58), _multiply(_s259, _s68, _r10), _r10), _multiply(_s260, _s72, _r58), _r58), _multiply(_s261, _s76, _r10), _r10), _multiply(_s262, _s81, _r58), _r58) + _multiply(_s263, _s87, _r10)
     _s265 = _add(_add(_add(_add(_multiply(_s252, _s230, _r10), _multiply(_s259, _s90, _r58), _r58), _multiply(_s260, _s91, _r10), _r10), _multiply(_s261, _s92, _r58), _r58), _multiply(_s262, _s93, _r10), _r10) + _multiply(_s263, _s94, _r58)
     _s266 = _add(_add(_add(_add(_multiply(_s252, _s232, _r58), _multiply(_s259, _s97, _r10), _r10), _multiply(_s260, _s98, _r58), _r58), _multiply(_s261, _s99, _r10), _r10), _multiply(_s262, _s100, _r58), _r58) + _multiply(_s263, _s101, _r10)
@@ -1803,7 +1822,7 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s275 = _add(_multiply(place_n, _absolute(_negative(_add(_multiply(_s254, _s132, _r55), _multiply(_s258, _s161, _r0), _r0), _r0), _r0), _r0), _multiply(turn_z, _absolute(_negative(_multiply(_s187, _s14, _r12), _r12), _r12), _r12), _r12)
     _s276 = _add(_add(_s275, _multiply(turn_z, _absolute(_negative(_multiply(_s187, _s74, _r24), _r24), _r24), _r24), _r24), _multiply(_absolute(_s252, _r43), _s247, _r43), _r43)
     _s277 = _add(_add(_add(_add(_s276, _multiply(_absolute(_s259, _r105), _s133, _r105), _r105), _multiply(_absolute(_s260, _r99), _s134, _r99), _r99), _multiply(_absolute(_s261, _r15), _s135, _r15), _r15), _multiply(_absolute(_s262, _r54), _s136, _r54), _r54)
-    _s278 = _k27 * _add(_add(_add(_multiply(_s187, _s273, _r15), _multiply(_k74, _s274, _r99), _r99), _s245, _r99), _add(_s277, _multiply(_absolute(_s263, _r59), _s138, _r59), _r59), _r59)
+    _s278 = _k27 * _add(_add(_add(_multiply(_s187, _s273, _r15), _multiply(_k79, _s274, _r99), _r99), _s245, _r99), _add(_s277, _multiply(_absolute(_s263, _r59), _s138, _r59), _r59), _r59)
     _s279 = _multiply(_k27, _add(_s271, _s278, _r59), _r59)
     _s280 = _negative(_multiply(bend_s, _s212, _r99), _r99)
     _s281 = _multiply(_s168, _s256, _r54)
@@ -1821,11 +1840,11 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s293 = _add(_add(_add(_add(_multiply(_s282, _s120, _r85), _multiply(_s10, _s239, _r25), _r25), _multiply(_s283, _s119, _r84), _r84), _multiply(_s284, _s121, _r86), _r86), _multiply(_s285, _s122, _r87), _r87) + _multiply(_s286, _s123, _r88)
     _s294 = _add(_s292, _multiply(_absolute(_s293, _r88), _s125, _r88), _r88)
     _s295 = _add(_multiply(_absolute(_s280, _r82), _s129, _r82), _multiply(_absolute(_s281, _r92), _s160, _r92), _r92)
-    _s296 = _k70 * _s211
+    _s296 = _k75 * _s211
     _s297 = _add(_multiply(_s211, _s39, _r82), _s189, _r82)
     _s298 = _add(_add(_add(_multiply(_s211, _add(_s194, _s201, _r37), _r37), _multiply(_s52, _add(_multiply(_k22, spin_bound, _r46), _multiply(_s296, _s48, _r3), _r3), _r3), _r3), _multiply(_s197, _add(spin_bound, _s189, _r37), _r37), _r37), _multiply(_s196, _s297, _r117), _r117)
-    _s299 = _add(_add(_s298, _multiply(_s198, _add(_multiply(_s296, _s39, _r37), _multiply(_k22, _s189, _r3), _r3), _r3), _r3), _multiply(_k64, _add(_multiply(_s52, _s189, _r42), _s200, _r42), _r42), _r42)
-    _s300 = _add(_add(_add(_add(_multiply(_s211, _s193, _r3), _multiply(_k22, _multiply(_s188, _s189, _r38), _r38), _r38), _multiply(_k74, _multiply(_multiply(normal_rounding, _s211, _r3), _s39, _r3), _r3), _r3), _s295, _r3), _s299, _r3)
+    _s299 = _add(_add(_s298, _multiply(_s198, _add(_multiply(_s296, _s39, _r37), _multiply(_k22, _s189, _r3), _r3), _r3), _r3), _multiply(_k69, _add(_multiply(_s52, _s189, _r42), _s200, _r42), _r42), _r42)
+    _s300 = _add(_add(_add(_add(_multiply(_s211, _s193, _r3), _multiply(_k22, _multiply(_s188, _s189, _r38), _r38), _r38), _multiply(_k79, _multiply(_multiply(normal_rounding, _s211, _r3), _s39, _r3), _r3), _r3), _s295, _r3), _s299, _r3)
     _s301 = _add(_multiply(place_n, _absolute(_negative(_add(_multiply(_s280, _s132, _r99), _multiply(_s281, _s161, _r54), _r54), _r54), _r54), _r54), _multiply(turn_z, _absolute(_s31, _r29), _r29), _r29)
     _s302 = _add(_add(_add(_add(_s301, _multiply(turn_z, _absolute(_s27, _r23), _r23), _r23), _multiply(_absolute(_s282, _r100), _s134, _r100), _r100), _multiply(_absolute(_s10, _r2), _s247, _r2), _r2), _multiply(_absolute(_s283, _r39), _s133, _r39), _r39)
     _s303 = _add(_s300, _add(_add(_add(_s302, _multiply(_absolute(_s284, _r96), _s135, _r96), _r96), _multiply(_absolute(_s285, _r102), _s136, _r102), _r102), _multiply(_absolute(_s286, _r20), _s138, _r20), _r20), _r20)
@@ -1836,21 +1855,21 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s308 = _select(_s295 < _s273, _s273, _s295, _r6)
     _s309 = _multiply(_k27, _add(_add(_s306, _add(_multiply(_s211, _select(_s307 < _s274, _s274, _s307, _r34), _r34), _select(_s308 < _s243, _s243, _s308, _r35), _r35), _r35), _s299, _r35), _r35)
     _s310 = _select(_s62 < _s140, _s140, _s62, _r42)
-    _s311 = _result(_s63, _multiply(_k27, _add(_multiply(_k75, _add(_add(_s164, _s140, _r19), _s62, _r19), _r19), _multiply(_k76, _select(_s310 < _s164, _s164, _s310, _r6), _r6), _r6), _r6), _k30, _r0)
+    _s311 = _result(_s63, _multiply(_k27, _add(_multiply(_k80, _add(_add(_s164, _s140, _r19), _s62, _r19), _r19), _multiply(_k81, _select(_s310 < _s164, _s164, _s310, _r6), _r6), _r6), _r6), _k30, _r0)
     _s312 = _multiply(_s159, _s140, _r6)
-    _s313 = _add(_multiply(_s187, _s256, _r119), _multiply(_k74, _s20, _r16), _r16)
+    _s313 = _add(_multiply(_s187, _s256, _r119), _multiply(_k79, _s20, _r16), _r16)
     _s314 = _negative(_multiply(p_restitution, normal_velocity, _r119), _r119)
     _s315 = _add(_s312, _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s313, _r19), _multiply(_s314, _s19, _r42), _r42), _r42), _r42), _s164, _r42), _r42)
-    _s316 = _multiply(_k64, _add(_multiply(bend_s, _s140, _r19), _multiply(bend_e, _s164, _r34), _r34), _r34)
+    _s316 = _multiply(_k69, _add(_multiply(bend_s, _s140, _r19), _multiply(bend_e, _s164, _r34), _r34), _r34)
     _s317 = _multiply(_s192, _s316, _r115)
     _s318 = _add(_add(_s315, _s317, _r42), _s279, _r42)
-    _s319 = _subtract(_multiply(_k74, _s16, _r14), _multiply(_s187, _s212, _r9), _r9)
+    _s319 = _subtract(_multiply(_k79, _s16, _r14), _multiply(_s187, _s212, _r9), _r9)
     _s320 = _add(_add(_multiply(_absolute(_multiply(bend_s, _s314, _r119), _r119), _s140, _r119), _multiply(_absolute(_negative(_multiply(_s216, _s319, _r14), _r14), _r14), _s164, _r14), _r14), _s317, _r14)
     _s321 = _add(_s320, _s251, _r14)
     _s322 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s313, _r119), _r119), _r119), _s140, _r119), _multiply(_absolute(_multiply(_s168, _s319, _r106), _r106), _s164, _r106), _r106), _s317, _r106)
     _s323 = _add(_s322, _s207, _r106)
     _s324 = _select(_s323 < _s321, _s321, _s323, _r115)
-    _s325 = _result(_s63, _multiply(_k27, _add(_multiply(_k75, _add(_add(_s318, _s321, _r119), _s323, _r119), _r119), _multiply(_k76, _select(_s324 < _s318, _s318, _s324, _r19), _r19), _r19), _r19), _k30, _r0)
+    _s325 = _result(_s63, _multiply(_k27, _add(_multiply(_k80, _add(_add(_s318, _s321, _r119), _s323, _r119), _r119), _multiply(_k81, _select(_s324 < _s318, _s318, _s324, _r19), _r19), _r19), _r19), _k30, _r0)
     _s326 = _negative(_multiply(_s211, _s319, _r9), _r9)
     _s327 = _multiply(_s211, _s313, _r16)
     _s328 = _multiply(_s297, _s316, _r34)
@@ -1861,10 +1880,10 @@ def tighten_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx
     _s333 = _add(_add(_add(_divide(_s279, p_ball_radius, _r82), _multiply(_s272, _s140, _r47), _r47), _multiply(_absolute(_negative(_multiply(_s216, _s327, _r16), _r16), _r16), _s164, _r16), _r16), _s328, _r16)
     _s334 = _add(_s333, _s309, _r16)
     _s335 = _select(_s330 < _s334, _s334, _s330, _r34)
-    _s336 = _result(_s63, _multiply(_k27, _add(_multiply(_k75, _add(_add(_s330, _s332, _r47), _s334, _r47), _r47), _multiply(_k76, _select(_s335 < _s332, _s332, _s335, _r110), _r110), _r110), _r110), _k30, _r0)
-    _s337 = _multiply(_k77, _add(_add(_add(_add(_add(_s157, _s126, _r103), _multiply(_k78, _s183, _r113), _r113), _multiply(_k78, _s241, _r122), _r122), _multiply(_k78, _s271, _r101), _r101), _multiply(_k79, _s294, _r88), _r88), _r88)
-    _s338 = _add(_add(_add(_add(_add(_s163, _s139, _r101), _multiply(_k78, _s206, _r122), _r122), _multiply(_k78, _s250, _r101), _r101), _multiply(_k78, _s278, _r122), _r122), _multiply(_k79, _s304, _r101), _r101) <= _s337
-    return _result(_s63, _s62, _k30, _r0), _result(_s63, _s140, _k30, _r0), _result(_s63, _s164, _k30, _r0), _result(_s63, _s207, _k30, _r0), _result(_s63, _s251, _k30, _r0), _result(_s63, _s279, _k30, _r0), _result(_s63, _s305, _k30, _r0), _result(_s63, _s309, _k30, _r0), _s311, _s325, _s336, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r35), _r35) + _select(_s63, _multiply(_k27, _s45, _r41), _k30, _r20), _s89, _s96, _s103, _s110, _s117, _s125, _s139, _s163, _s206, _s250, _s278, _s304, _s88, _s95, _s102, _s109, _s116, _s124, _s150, _s151, _s152, _s153, _s154, _s156, _s176, _s177, _s178, _s179, _s180, _s182, _s229, _s231, _s233, _s235, _s237, _s240, _s264, _s265, _s266, _s267, _s268, _s270, _s287, _s288, _s289, _s290, _s291, _s293, _result(_s338, _k67, _k29, _r0)
+    _s336 = _result(_s63, _multiply(_k27, _add(_multiply(_k80, _add(_add(_s330, _s332, _r47), _s334, _r47), _r47), _multiply(_k81, _select(_s335 < _s332, _s332, _s335, _r110), _r110), _r110), _r110), _k30, _r0)
+    _s337 = _multiply(_k82, _add(_add(_add(_add(_add(_s157, _s126, _r103), _multiply(_k83, _s183, _r113), _r113), _multiply(_k83, _s241, _r122), _r122), _multiply(_k83, _s271, _r101), _r101), _multiply(_k84, _s294, _r88), _r88), _r88)
+    _s338 = _add(_add(_add(_add(_add(_s163, _s139, _r101), _multiply(_k83, _s206, _r122), _r122), _multiply(_k83, _s250, _r101), _r101), _multiply(_k83, _s278, _r122), _r122), _multiply(_k84, _s304, _r101), _r101) <= _s337
+    return _result(_s63, _s62, _k30, _r0), _result(_s63, _s140, _k30, _r0), _result(_s63, _s164, _k30, _r0), _result(_s63, _s207, _k30, _r0), _result(_s63, _s251, _k30, _r0), _result(_s63, _s279, _k30, _r0), _result(_s63, _s305, _k30, _r0), _result(_s63, _s309, _k30, _r0), _s311, _s325, _s336, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r35), _r35) + _select(_s63, _multiply(_k27, _s45, _r41), _k30, _r20), _s89, _s96, _s103, _s110, _s117, _s125, _s139, _s163, _s206, _s250, _s278, _s304, _s88, _s95, _s102, _s109, _s116, _s124, _s150, _s151, _s152, _s153, _s154, _s156, _s176, _s177, _s178, _s179, _s180, _s182, _s229, _s231, _s233, _s235, _s237, _s240, _s264, _s265, _s266, _s267, _s268, _s270, _s287, _s288, _s289, _s290, _s291, _s293, _result(_s338, _k72, _k29, _r0)
 
 
 def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, p_ball_radius: Any, p_restitution: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1875,9 +1894,9 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
     _r0, _r1, _r2, _r3, _r4, _r5, _r6 = _room[:7]
     _s0 = 0.4 * p_ball_radius
     _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
-    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(_k92, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
-    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(_k92, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
-    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(_k92, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
+    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(_k97, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
+    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(_k97, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
+    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(_k97, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
     _s5 = _add(_add(_multiply(nx, wx, _r4), _multiply(ny, wy, _r5), _r5), _multiply(nz, wz, _r4), _r4)
     _s6 = 1.0 / p_ball_radius
     return _s2 - _multiply(_multiply(p_restitution, nx, _r5), _s1, _r5), _s3 - _multiply(_multiply(p_restitution, ny, _r5), _s1, _r5), _s4 - _multiply(_multiply(p_restitution, nz, _r5), _s1, _r5), _multiply(nx, _s5, _r5) + _multiply(_s6, _subtract(_multiply(ny, _s4, _r0), _multiply(nz, _s3, _r6), _r6), _r6), _multiply(ny, _s5, _r6) + _multiply(_s6, _subtract(_multiply(nz, _s2, _r5), _multiply(nx, _s4, _r3), _r3), _r3), _multiply(nz, _s5, _r4) + _multiply(_s6, _subtract(_multiply(nx, _s3, _r2), _multiply(ny, _s2, _r1), _r1), _r1)
@@ -1932,8 +1951,8 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s39 = _add(_add(_s1, _s4, _r36), _s38, _r36)
     _s40 = _add(_multiply(place_s, left_bend_s, _r37), _multiply(place_e, left_bend_e, _r38), _r38)
     _s41 = _multiply(_add(_s37, _s39, _r37), _s40, _r37)
-    _s42 = _multiply(_k64, _add(_multiply(t, _s41, _r39), _s9, _r39), _r39)
-    _s43 = _add(_add(_add(root_offset, _multiply(_multiply(_k65, _multiply(sharpest_bend, _s9, _r40), _r40), _s9, _r40), _r40), _add(_s35, _multiply(pace_e, _absolute(_s36, _r41), _r41), _r41), _r41), _s42, _r41)
+    _s42 = _multiply(_k69, _add(_multiply(t, _s41, _r39), _s9, _r39), _r39)
+    _s43 = _add(_add(_add(root_offset, _multiply(_multiply(_k70, _multiply(sharpest_bend, _s9, _r40), _r40), _s9, _r40), _r40), _add(_s35, _multiply(pace_e, _absolute(_s36, _r41), _r41), _r41), _r41), _s42, _r41)
     _s44 = _absolute(normal_velocity, _r40)
     _s45 = _divide(_multiply(_k26, _s43, _r41), _s44, _r41)
     _s46 = _add(_k24, _multiply(_k25, _add(_add(_add(_s37, _s1, _r34), _s4, _r34), _s38, _r34), _r34), _r34)
@@ -1941,24 +1960,24 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s48 = _add(_multiply(p_gravity, _s45, _r3), _s47, _r3)
     _s49 = _add(_s48, _s39, _r1)
     _s50 = _add(_multiply(_s45, _s49, _r32), _s9, _r32)
-    _s51 = _multiply(_k65, sharpest_bend, _r7)
+    _s51 = _multiply(_k70, sharpest_bend, _r7)
     _s52 = _multiply(_s51, _s50, _r42)
     _s53 = _subtract(_multiply(_k28, _add(_add(_multiply(_absolute(_s0, _r43), _s45, _r43), _multiply(_s52, _s49, _r44), _r44), _s47, _r44), _r44), _s44, _r44)
-    _s54 = _subtract(_multiply(_k66, _multiply(sharpest_bend, _s50, _r43), _r43), _k67, _r43)
+    _s54 = _subtract(_multiply(_k71, _multiply(sharpest_bend, _s50, _r43), _r43), _k72, _r43)
     _s55 = _select(_s53 < _s54, _s54, _s53, _r45)
     _s56 = _add(_multiply(_s6, _multiply(_s45, _s45, _r46), _r46), _multiply(_s45, _s47, _r35), _r35)
     _s57 = _divide(_add(_multiply(_s52, _s50, _r46), _s56, _r46), _s44, _r46)
     _s58 = _add(_multiply(_s57, _s39, _r47), _s56, _r47)
     _s59 = _add(_add(root_level, _s58, _r35), _add(_add(_multiply(_absolute(nx, _r48), _s3, _r48), _multiply(_absolute(ny, _r49), _s5, _r49), _r49), _multiply(_absolute(nz, _r48), _s8, _r48), _r48), _r48)
     _s60 = _multiply(bend_s, _s59, _r35)
-    _s61 = _subtract(_multiply(_k68, _add(_multiply(place_n, left_bend_s, _r49), _s60, _r49), _r49), _k67, _r49)
+    _s61 = _subtract(_multiply(_k73, _add(_multiply(place_n, left_bend_s, _r49), _s60, _r49), _r49), _k72, _r49)
     _s62 = _multiply(_k27, _s59, _r48)
     _s63 = _select(_s55 < _s61, _s61, _s55, _r50) <= _k29
     _s64 = _absolute(_s20, _r50)
     _s65 = _divide(_add(root_offset, _s42, _r49), _s44, _r49)
     _s66 = _add(_multiply(_s64, _s65, _r45), _add(_add(_multiply(_absolute(_s13, _r43), _s5, _r43), _multiply(_absolute(_s12, _r44), _s3, _r44), _r44), _multiply(_absolute(_s19, _r43), _s8, _r43), _r43), _r43)
-    _s67 = _add(_add(_s58, _multiply(_k64, _s50, _r32), _r32), _s42, _r32)
-    _s68 = _divide(_k67, normal_velocity, _r39)
+    _s67 = _add(_add(_s58, _multiply(_k69, _s50, _r32), _r32), _s42, _r32)
+    _s68 = _divide(_k72, normal_velocity, _r39)
     _s69 = _negative(_multiply(_s68, _s11, _r8), _r8)
     _s70 = _add(_add(_multiply(left_nx, _s12, _r45), _multiply(left_ny, _s13, _r44), _r44), _multiply(left_nz, _s19, _r45), _r45)
     _s71 = _add(_multiply(_s69, _s20, _r44), _s70, _r44)
@@ -2000,14 +2019,14 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s107 = _multiply(bend_e, _s19, _r66)
     _s108 = _multiply(_s107, _s16, _r19)
     _s109 = _add(_s105, _add(_multiply(_absolute(_s106, _r69), _s66, _r69), _multiply(_absolute(_s108, _r70), _s92, _r70), _r70), _r70)
-    _s110 = _k70 + p_restitution
-    _s111 = _k71 * p_ball_radius
+    _s110 = _k75 + p_restitution
+    _s111 = _k76 * p_ball_radius
     _s112 = _add(normal_rounding, _s60, _r69)
     _s113 = _add(_add(_absolute(wx, _r71), _absolute(wy, _r72), _r72), _absolute(wz, _r71), _r71)
     _s114 = _multiply(_multiply(_s111, _s112, _r72), _s113, _r72)
     _s115 = _multiply(p_ball_radius, _s113, _r73)
     _s116 = _add(_s115, _s39, _r74)
-    _s117 = _add(_k24, _multiply(_k72, _s116, _r75), _r75)
+    _s117 = _add(_k24, _multiply(_k77, _s116, _r75), _r75)
     _s118 = _multiply(p_gravity, _s57, _r46)
     _s119 = _k36 * _s110
     _s120 = _multiply(_add(bend_s, bend_e, _r76), _s67, _r76)
@@ -2015,7 +2034,7 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s122 = _add(_multiply(_s51, _s58, _r47), _multiply(_k22, _s121, _r7), _r7)
     _s123 = _add(_add(_add(_s118, _multiply(_s52, _add(_multiply(spin_bound, _s111, _r47), _multiply(_s119, _s48, _r77), _r77), _r77), _r77), _multiply(_s120, _s116, _r47), _r47), _multiply(_s122, _add(_multiply(_s111, _s113, _r77), _multiply(_s119, _s39, _r78), _r78), _r78), _r78)
     _s124 = _add(spin_bound, _multiply(_s40, _s113, _r38), _r38)
-    _s125 = _multiply(_k64, _add(_add(_multiply(p_ball_radius, _s124, _r47), _multiply(_s52, _add(_s115, _multiply(_k73, _s39, _r77), _r77), _r77), _r77), _multiply(_k22, _add(_s41, _s48, _r37), _r37), _r37), _r37)
+    _s125 = _multiply(_k69, _add(_add(_multiply(p_ball_radius, _s124, _r47), _multiply(_s52, _add(_s115, _multiply(_k78, _s39, _r77), _r77), _r77), _r77), _multiply(_k22, _add(_s41, _s48, _r37), _r37), _r37), _r37)
     _s126 = _add(_add(_s123, _multiply(_multiply(_s121, _s110, _r77), _s49, _r77), _r77), _s125, _r77)
     _s127 = _add(_add(_multiply(p_restitution, _s109, _r78), _multiply(_s110, _add(_multiply(normal_rounding, _add(_s39, _s44, _r1), _r1), _multiply(_multiply(_k22, _s60, _r35), _s44, _r35), _r35), _r35), _r35), _add(_add(_s114, _s117, _r78), _s126, _r78), _r78)
     _s128 = _negative(_multiply(p_restitution, _s0, _r0), _r0)
@@ -2040,19 +2059,19 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s147 = _negative(_multiply(_s146, _s16, _r35), _r35)
     _s148 = _add(_s105, _add(_multiply(_absolute(_s145, _r0), _s66, _r0), _multiply(_absolute(_s147, _r73), _s92, _r73), _r73), _r73)
     _s149 = _add(_add(_add(_multiply(_multiply(normal_rounding, _s110, _r0), _s44, _r0), _s114, _r0), _s117, _r0), _s126, _r0)
-    _s150 = _multiply(_k74, _s21, _r18)
-    _s151 = _add(_multiply(_s111, _s143, _r1), _multiply(_k74, _s147, _r35), _r35)
-    _s152 = _multiply(_k74, _s145, _r21)
-    _s153 = _subtract(_add(_multiply(_s72, _s150, _r25), _add(_multiply(_s111, _subtract(_multiply(_s74, _s140, _r1), _multiply(_s15, _s141, _r77), _r77), _r77), _multiply(_k74, _s75, _r54), _r54), _r54), _multiply(_s151, _s97, _r25), _r25)
+    _s150 = _multiply(_k79, _s21, _r18)
+    _s151 = _add(_multiply(_s111, _s143, _r1), _multiply(_k79, _s147, _r35), _r35)
+    _s152 = _multiply(_k79, _s145, _r21)
+    _s153 = _subtract(_add(_multiply(_s72, _s150, _r25), _add(_multiply(_s111, _subtract(_multiply(_s74, _s140, _r1), _multiply(_s15, _s141, _r77), _r77), _r77), _multiply(_k79, _s75, _r54), _r54), _r54), _multiply(_s151, _s97, _r25), _r25)
     _s154 = _add(_multiply(place_n, _absolute(_subtract(_subtract(_multiply(_s69, _s150, _r8), _multiply(_s151, _s94, _r54), _r54), _multiply(_s71, _s152, _r8), _r8), _r8), _r8), _multiply(place_s, _absolute(_subtract(_s153, _multiply(_s77, _s152, _r54), _r54), _r54), _r54), _r54)
-    _s155 = _subtract(_add(_multiply(_s78, _s150, _r28), _add(_multiply(_s111, _subtract(_multiply(_s79, _s140, _r8), _multiply(_s29, _s141, _r25), _r25), _r25), _multiply(_k74, _s80, _r56), _r56), _r56), _multiply(_s151, _s99, _r28), _r28)
-    _s156 = _multiply(pace_n, _absolute(_subtract(_subtract(_add(_multiply(_s82, _s150, _r30), _multiply(_k74, _s70, _r56), _r56), _multiply(_s151, _s100, _r30), _r30), _multiply(_s83, _s152, _r56), _r56), _r56), _r56)
+    _s155 = _subtract(_add(_multiply(_s78, _s150, _r28), _add(_multiply(_s111, _subtract(_multiply(_s79, _s140, _r8), _multiply(_s29, _s141, _r25), _r25), _r25), _multiply(_k79, _s80, _r56), _r56), _r56), _multiply(_s151, _s99, _r28), _r28)
+    _s156 = _multiply(pace_n, _absolute(_subtract(_subtract(_add(_multiply(_s82, _s150, _r30), _multiply(_k79, _s70, _r56), _r56), _multiply(_s151, _s100, _r30), _r30), _multiply(_s83, _s152, _r56), _r56), _r56), _r56)
     _s157 = _add(_add(_s154, _multiply(place_e, _absolute(_subtract(_s155, _multiply(_s81, _s152, _r30), _r30), _r30), _r30), _r30), _s156, _r56)
-    _s158 = _k60 / p_ball_radius
-    _s159 = _subtract(_subtract(_add(_multiply(_s84, _s150, _r31), _add(_multiply(_s111, _multiply(_s158, _s17, _r30), _r30), _multiply(_k74, _s76, _r54), _r54), _r54), _multiply(_s151, _s101, _r31), _r31), _multiply(_s85, _s152, _r54), _r54)
-    _s160 = _subtract(_add(_multiply(_s87, _s150, _r18), _add(_multiply(_s111, _negative(_multiply(_s158, _s96, _r39), _r39), _r39), _multiply(_k74, _s14, _r31), _r31), _r31), _multiply(_s151, _s103, _r35), _r35)
+    _s158 = _k65 / p_ball_radius
+    _s159 = _subtract(_subtract(_add(_multiply(_s84, _s150, _r31), _add(_multiply(_s111, _multiply(_s158, _s17, _r30), _r30), _multiply(_k79, _s76, _r54), _r54), _r54), _multiply(_s151, _s101, _r31), _r31), _multiply(_s85, _s152, _r54), _r54)
+    _s160 = _subtract(_add(_multiply(_s87, _s150, _r18), _add(_multiply(_s111, _negative(_multiply(_s158, _s96, _r39), _r39), _r39), _multiply(_k79, _s14, _r31), _r31), _r31), _multiply(_s151, _s103, _r35), _r35)
     _s161 = _add(_add(_add(_s157, _multiply(pace_s, _absolute(_s159, _r54), _r54), _r54), _multiply(pace_e, _absolute(_subtract(_s160, _multiply(_s88, _s152, _r21), _r21), _r21), _r21), _r21), _multiply(turn_n, _absolute(_multiply(_s111, _s93, _r54), _r54), _r54), _r54)
-    _s162 = _add(_add(_add(_multiply(_s111, _s144, _r21), _multiply(_k74, _s148, _r35), _r35), _s149, _r35), _add(_add(_s161, _multiply(turn_z, _absolute(_multiply(_s111, _s17, _r21), _r21), _r21), _r21), _multiply(turn_z, _absolute(_multiply(_s111, _s96, _r54), _r54), _r54), _r54), _r54)
+    _s162 = _add(_add(_add(_multiply(_s111, _s144, _r21), _multiply(_k79, _s148, _r35), _r35), _s149, _r35), _add(_add(_s161, _multiply(turn_z, _absolute(_multiply(_s111, _s17, _r21), _r21), _r21), _r21), _multiply(turn_z, _absolute(_multiply(_s111, _s96, _r54), _r54), _r54), _r54), _r54)
     _s163 = _multiply(_k27, _s162, _r54)
     _s164 = _multiply(bend_s, _s141, _r35)
     _s165 = _absolute(_s164, _r21)
@@ -2062,24 +2081,24 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s169 = _multiply(bend_e, _subtract(_multiply(nz, _s20, _r18), _multiply(normal_velocity, _s19, _r30), _r30), _r30)
     _s170 = _add(_s105, _add(_s139, _multiply(_absolute(_s169, _r18), _s92, _r18), _r18), _r18)
     _s171 = _negative(_multiply(_s111, _s164, _r35), _r35)
-    _s172 = _subtract(_multiply(_k74, _s169, _r30), _multiply(_s111, _s167, _r56), _r56)
-    _s173 = _subtract(_subtract(_subtract(_multiply(_k74, _s95, _r4), _multiply(_s111, _subtract(_multiply(_s18, _s141, _r10), _multiply(_s74, _s166, _r52), _r52), _r52), _r52), _multiply(_s171, _s77, _r4), _r4), _multiply(_s172, _s97, _r52), _r52)
+    _s172 = _subtract(_multiply(_k79, _s169, _r30), _multiply(_s111, _s167, _r56), _r56)
+    _s173 = _subtract(_subtract(_subtract(_multiply(_k79, _s95, _r4), _multiply(_s111, _subtract(_multiply(_s18, _s141, _r10), _multiply(_s74, _s166, _r52), _r52), _r52), _r52), _multiply(_s171, _s77, _r4), _r4), _multiply(_s172, _s97, _r52), _r52)
     _s174 = _add(_multiply(place_n, _absolute(_negative(_add(_multiply(_s171, _s71, _r4), _multiply(_s172, _s94, _r10), _r10), _r10), _r10), _r10), _multiply(place_s, _absolute(_s173, _r52), _r52), _r52)
-    _s175 = _subtract(_subtract(_subtract(_multiply(_k74, _s98, _r51), _multiply(_s111, _negative(_multiply(_s79, _s166, _r55), _r55), _r55), _r55), _multiply(_s171, _s81, _r51), _r51), _multiply(_s172, _s99, _r55), _r55)
-    _s176 = _add(_add(_s174, _multiply(place_e, _absolute(_s175, _r55), _r55), _r55), _multiply(pace_n, _absolute(_subtract(_subtract(_multiply(_k74, _s93, _r63), _multiply(_s171, _s83, _r52), _r52), _multiply(_s172, _s100, _r63), _r63), _r63), _r63), _r63)
-    _s177 = _absolute(_subtract(_subtract(_subtract(_multiply(_k74, _s96, _r22), _multiply(_s111, _multiply(_s158, _s14, _r55), _r55), _r55), _multiply(_s171, _s85, _r22), _r22), _multiply(_s172, _s101, _r55), _r55), _r55)
-    _s178 = _subtract(_subtract(_subtract(_multiply(_k74, _s17, _r15), _multiply(_s111, _negative(_multiply(_s158, _s76, _r22), _r22), _r22), _r22), _multiply(_s171, _s88, _r35), _r35), _multiply(_s172, _s103, _r56), _r56)
+    _s175 = _subtract(_subtract(_subtract(_multiply(_k79, _s98, _r51), _multiply(_s111, _negative(_multiply(_s79, _s166, _r55), _r55), _r55), _r55), _multiply(_s171, _s81, _r51), _r51), _multiply(_s172, _s99, _r55), _r55)
+    _s176 = _add(_add(_s174, _multiply(place_e, _absolute(_s175, _r55), _r55), _r55), _multiply(pace_n, _absolute(_subtract(_subtract(_multiply(_k79, _s93, _r63), _multiply(_s171, _s83, _r52), _r52), _multiply(_s172, _s100, _r63), _r63), _r63), _r63), _r63)
+    _s177 = _absolute(_subtract(_subtract(_subtract(_multiply(_k79, _s96, _r22), _multiply(_s111, _multiply(_s158, _s14, _r55), _r55), _r55), _multiply(_s171, _s85, _r22), _r22), _multiply(_s172, _s101, _r55), _r55), _r55)
+    _s178 = _subtract(_subtract(_subtract(_multiply(_k79, _s17, _r15), _multiply(_s111, _negative(_multiply(_s158, _s76, _r22), _r22), _r22), _r22), _multiply(_s171, _s88, _r35), _r35), _multiply(_s172, _s103, _r56), _r56)
     _s179 = _add(_add(_add(_add(_s176, _multiply(pace_s, _s177, _r55), _r55), _multiply(pace_e, _absolute(_s178, _r56), _r56), _r56), _multiply(turn_n, _absolute(_negative(_multiply(_s111, _s70, _r45), _r45), _r45), _r45), _r45), _multiply(turn_z, _absolute(_negative(_multiply(_s111, _s14, _r12), _r12), _r12), _r12), _r12)
-    _s180 = _add(_add(_add(_multiply(_s111, _s168, _r45), _multiply(_k74, _s170, _r56), _r56), _s149, _r56), _add(_s179, _multiply(turn_z, _absolute(_negative(_multiply(_s111, _s76, _r24), _r24), _r24), _r24), _r24), _r24)
+    _s180 = _add(_add(_add(_multiply(_s111, _s168, _r45), _multiply(_k79, _s170, _r56), _r56), _s149, _r56), _add(_s179, _multiply(turn_z, _absolute(_negative(_multiply(_s111, _s76, _r24), _r24), _r24), _r24), _r24), _r24)
     _s181 = _multiply(_k27, _s180, _r24)
     _s182 = _negative(_multiply(bend_s, _s140, _r56), _r56)
     _s183 = _multiply(_s107, _s166, _r12)
     _s184 = _add(_multiply(_absolute(_s182, _r45), _s66, _r45), _multiply(_absolute(_s183, _r43), _s92, _r43), _r43)
-    _s185 = _k70 * _s158
+    _s185 = _k75 * _s158
     _s186 = _add(_multiply(_s158, _s39, _r45), _s113, _r45)
     _s187 = _add(_add(_add(_multiply(_s158, _add(_s118, _s125, _r37), _r37), _multiply(_s52, _add(_multiply(_k22, spin_bound, _r46), _multiply(_s185, _s48, _r3), _r3), _r3), _r3), _multiply(_s121, _add(spin_bound, _s113, _r37), _r37), _r37), _multiply(_s120, _s186, _r76), _r76)
-    _s188 = _add(_add(_s187, _multiply(_s122, _add(_multiply(_s185, _s39, _r37), _multiply(_k22, _s113, _r3), _r3), _r3), _r3), _multiply(_k64, _add(_multiply(_s52, _s113, _r42), _s124, _r42), _r42), _r42)
-    _s189 = _add(_add(_add(_add(_multiply(_s158, _s117, _r3), _multiply(_k22, _multiply(_s112, _s113, _r38), _r38), _r38), _multiply(_k74, _multiply(_multiply(normal_rounding, _s158, _r3), _s39, _r3), _r3), _r3), _s184, _r3), _s188, _r3)
+    _s188 = _add(_add(_s187, _multiply(_s122, _add(_multiply(_s185, _s39, _r37), _multiply(_k22, _s113, _r3), _r3), _r3), _r3), _multiply(_k69, _add(_multiply(_s52, _s113, _r42), _s124, _r42), _r42), _r42)
+    _s189 = _add(_add(_add(_add(_multiply(_s158, _s117, _r3), _multiply(_k22, _multiply(_s112, _s113, _r38), _r38), _r38), _multiply(_k79, _multiply(_multiply(normal_rounding, _s158, _r3), _s39, _r3), _r3), _r3), _s184, _r3), _s188, _r3)
     _s190 = _multiply(place_s, _absolute(_subtract(_subtract(_subtract(_multiply(_s15, _s166, _r11), _multiply(_s18, _s140, _r13), _r13), _multiply(_s182, _s77, _r53), _r53), _multiply(_s183, _s97, _r6), _r6), _r6), _r6)
     _s191 = _add(_multiply(place_n, _absolute(_negative(_add(_multiply(_s182, _s71, _r44), _multiply(_s183, _s94, _r57), _r57), _r57), _r57), _r57), _s190, _r6)
     _s192 = _add(_s191, _multiply(place_e, _absolute(_subtract(_subtract(_multiply(_s29, _s166, _r26), _multiply(_s182, _s81, _r58), _r58), _multiply(_s183, _s99, _r20), _r20), _r20), _r20), _r20)
@@ -2093,21 +2112,21 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s200 = _select(_s184 < _s168, _s168, _s184, _r69)
     _s201 = _multiply(_k27, _add(_add(_s198, _add(_multiply(_s158, _select(_s199 < _s170, _s170, _s199, _r71), _r71), _select(_s200 < _s144, _s144, _s200, _r0), _r0), _r0), _s188, _r0), _r0)
     _s202 = _select(_s62 < _s89, _s89, _s62, _r42)
-    _s203 = _result(_s63, _multiply(_k27, _add(_multiply(_k75, _add(_add(_s62, _s104, _r33), _s89, _r33), _r33), _multiply(_k76, _select(_s202 < _s104, _s104, _s202, _r69), _r69), _r69), _r69), _k30, _r0)
+    _s203 = _result(_s63, _multiply(_k27, _add(_multiply(_k80, _add(_add(_s62, _s104, _r33), _s89, _r33), _r33), _multiply(_k81, _select(_s202 < _s104, _s104, _s202, _r69), _r69), _r69), _r69), _k30, _r0)
     _s204 = _multiply(_s91, _s89, _r69)
-    _s205 = _add(_multiply(_s111, _s166, _r31), _multiply(_k74, _s20, _r16), _r16)
+    _s205 = _add(_multiply(_s111, _s166, _r31), _multiply(_k79, _s20, _r16), _r16)
     _s206 = _negative(_multiply(p_restitution, normal_velocity, _r31), _r31)
     _s207 = _add(_s204, _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s205, _r33), _multiply(_s206, _s19, _r42), _r42), _r42), _r42), _s104, _r42), _r42)
-    _s208 = _multiply(_k64, _add(_multiply(bend_s, _s89, _r33), _multiply(bend_e, _s104, _r71), _r71), _r71)
+    _s208 = _multiply(_k69, _add(_multiply(bend_s, _s89, _r33), _multiply(bend_e, _s104, _r71), _r71), _r71)
     _s209 = _multiply(_s116, _s208, _r74)
     _s210 = _add(_add(_s207, _s209, _r42), _s181, _r42)
-    _s211 = _subtract(_multiply(_k74, _s16, _r14), _multiply(_s111, _s140, _r9), _r9)
+    _s211 = _subtract(_multiply(_k79, _s16, _r14), _multiply(_s111, _s140, _r9), _r9)
     _s212 = _add(_add(_multiply(_absolute(_multiply(bend_s, _s206, _r31), _r31), _s89, _r31), _multiply(_absolute(_negative(_multiply(_s146, _s211, _r14), _r14), _r14), _s104, _r14), _r14), _s209, _r14)
     _s213 = _add(_s212, _s163, _r14)
     _s214 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s205, _r31), _r31), _r31), _s89, _r31), _multiply(_absolute(_multiply(_s107, _s211, _r66), _r66), _s104, _r66), _r66), _s209, _r66)
     _s215 = _add(_s214, _s138, _r66)
     _s216 = _select(_s215 < _s213, _s213, _s215, _r74)
-    _s217 = _result(_s63, _multiply(_k27, _add(_multiply(_k75, _add(_add(_s210, _s213, _r31), _s215, _r31), _r31), _multiply(_k76, _select(_s216 < _s210, _s210, _s216, _r33), _r33), _r33), _r33), _k30, _r0)
+    _s217 = _result(_s63, _multiply(_k27, _add(_multiply(_k80, _add(_add(_s210, _s213, _r31), _s215, _r31), _r31), _multiply(_k81, _select(_s216 < _s210, _s210, _s216, _r33), _r33), _r33), _r33), _k30, _r0)
     _s218 = _negative(_multiply(_s158, _s211, _r9), _r9)
     _s219 = _multiply(_s158, _s205, _r16)
     _s220 = _multiply(_s186, _s208, _r71)
@@ -2118,7 +2137,7 @@ def carry_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: 
     _s225 = _add(_add(_add(_divide(_s181, p_ball_radius, _r45), _multiply(_s165, _s89, _r21), _r21), _multiply(_absolute(_negative(_multiply(_s146, _s219, _r16), _r16), _r16), _s104, _r16), _r16), _s220, _r16)
     _s226 = _add(_s225, _s201, _r16)
     _s227 = _select(_s222 < _s226, _s226, _s222, _r71)
-    _s228 = _result(_s63, _multiply(_k27, _add(_multiply(_k75, _add(_add(_s222, _s224, _r21), _s226, _r21), _r21), _multiply(_k76, _select(_s227 < _s224, _s224, _s227, _r34), _r34), _r34), _r34), _k30, _r0)
+    _s228 = _result(_s63, _multiply(_k27, _add(_multiply(_k80, _add(_add(_s222, _s224, _r21), _s226, _r21), _r21), _multiply(_k81, _select(_s227 < _s224, _s224, _s227, _r34), _r34), _r34), _r34), _k30, _r0)
     return _result(_s63, _s62, _k30, _r0), _result(_s63, _s89, _k30, _r0), _result(_s63, _s104, _k30, _r0), _result(_s63, _s138, _k30, _r0), _result(_s63, _s163, _k30, _r0), _result(_s63, _s181, _k30, _r0), _result(_s63, _s197, _k30, _r0), _result(_s63, _s201, _k30, _r0), _s203, _s217, _s228, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k31, _add(t, clock, _r0), _r0) + _select(_s63, _multiply(_k27, _s45, _r41), _k30, _r23)
 
 
@@ -2204,7 +2223,7 @@ def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, 
     _r0, _r1 = _room[:2]
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
-    _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(_k45, _s1, _r1), _r0)
+    _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(_k51, _s1, _r1), _r0)
     return x * _s2, y * _s2, z * _s0
 
 
@@ -2216,9 +2235,9 @@ def ring_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx:
     t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _halves(_room[:11])
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
-    _s1 = _k67 / _s0
+    _s1 = _k72 / _s0
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k60 / _s2
+    _s3 = _k65 / _s2
     _s4 = (p_ring_radius - p_ball_radius) - p_wire_radius
     _s5 = _where(_s4 < _s2, _s4, _s2)
     _s6 = _multiply(p_gravity, t, _r0)
@@ -2237,18 +2256,18 @@ def ring_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx:
     _s19 = _add(_add(_multiply(_s18, _s13, _r2), _multiply(_s15, _absolute(_add(vz, _multiply(_s18, t, _r4), _r4), _r4), _r4), _r4), _absolute(z, _r2), _r2)
     _s20 = _add(_k24, _multiply(_k25, _s19, _r2), _r2)
     _s21 = _k36 * (p_ring_radius * _s3)
-    _s22 = _add(_divide(_multiply(_multiply(_k94, _s14, _r4), _add(_add(_s16, _s17, _r7), _s20, _r7), _r4), _s5, _r4), _multiply(_k35 * (_k95 + _s21), _s14, _r8), _r8)
-    _s23 = _multiply(_k96, _s22, _r4)
-    _s24 = _multiply(_k97, _multiply(_divide(_multiply(normal_velocity, normal_velocity, _r7), _add(_add(_multiply(vx, vx, _r9), _multiply(vy, vy, _r10), _r10), _multiply(vz, vz, _r9), _r9), _r9), _s2, _r9), _r9)
+    _s22 = _add(_divide(_multiply(_multiply(_k99, _s14, _r4), _add(_add(_s16, _s17, _r7), _s20, _r7), _r4), _s5, _r4), _multiply(_k35 * (_k100 + _s21), _s14, _r8), _r8)
+    _s23 = _multiply(_k101, _s22, _r4)
+    _s24 = _multiply(_k102, _multiply(_divide(_multiply(normal_velocity, normal_velocity, _r7), _add(_add(_multiply(vx, vx, _r9), _multiply(vy, vy, _r10), _r10), _multiply(vz, vz, _r9), _r9), _r9), _s2, _r9), _r9)
     _s25 = _add(_add(_s12, _s22, _r8), _select(_s23 < _s24, _s24, _s23, _r7), _r7)
-    _s26 = _add(_multiply(_k25, _add(_k98 * _s2, _multiply(_k22, _s0, _r1), _r1), _r1), _add(_add(_multiply(_absolute(nx, _r4), _s16, _r4), _multiply(_absolute(ny, _r5), _s17, _r5), _r5), _multiply(_absolute(nz, _r4), _s20, _r4), _r4), _r4)
-    _s27 = _multiply(_k96, _s26, _r1)
+    _s26 = _add(_multiply(_k25, _add(_k103 * _s2, _multiply(_k22, _s0, _r1), _r1), _r1), _add(_add(_multiply(_absolute(nx, _r4), _s16, _r4), _multiply(_absolute(ny, _r5), _s17, _r5), _r5), _multiply(_absolute(nz, _r4), _s20, _r4), _r4), _r4)
+    _s27 = _multiply(_k101, _s26, _r1)
     _s28 = _add(_add(_s12, _s26, _r4), _select(_s27 < _s24, _s24, _s27, _r6), _r6)
     _s29 = _add(place_n, _s28, _r1)
-    _s30 = _multiply(_k73, _divide(_s11, _s5, _r0), _r0) <= _k67
+    _s30 = _multiply(_k78, _divide(_s11, _s5, _r0), _r0) <= _k72
     _s31 = _k29 < back
     _s32 = _add(place_n, _s25, _r0)
-    return -_multiply(y, _s1, _r4), x * _s1, _s3, _s1, _k60 / _s5, _result(_s31, _select(_s30, _s25, _select(_s25 < _s29, _s29, _s25, _r4), _r9), _s28, _r0), _result(_s31, _select(_s30, _s32, _select(_s32 < _s28, _s28, _s32, _r9), _r4), _s28, _r0), _k35 * (_k99 + _s21)
+    return -_multiply(y, _s1, _r4), x * _s1, _s3, _s1, _k65 / _s5, _result(_s31, _select(_s30, _s25, _select(_s25 < _s29, _s29, _s25, _r4), _r9), _s28, _r0), _result(_s31, _select(_s30, _s32, _select(_s32 < _s28, _s28, _s32, _r9), _r4), _s28, _r0), _k35 * (_k104 + _s21)
 
 
 def ring_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any) -> tuple[Any, ...]:
@@ -2324,16 +2343,16 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s24 = _where(_s22 < _s23, _s23, _s22)
     _s25 = _s24 * _s24
     _s26 = _s24 * _s25
-    _s27 = _multiply(_subtract(_add(_add(_multiply(_k46, _s6, _r2), _multiply(4.0 * p_gravity, z, _r12), _r12), _multiply(_k46, _s21, _r2), _r2), (6.0003662109375 * p_gravity) * _s0, _r2), _s26, _r2)
+    _s27 = _multiply(_subtract(_add(_add(_multiply(_k52, _s6, _r2), _multiply(4.0 * p_gravity, z, _r12), _r12), _multiply(_k52, _s21, _r2), _r2), (6.0003662109375 * p_gravity) * _s0, _r2), _s26, _r2)
     _s28 = _subtract(_multiply(x, vy, _r12), _multiply(y, vx, _r15), _r15)
     _s29 = _multiply(_s28, _s28, _r15)
     _s30 = _subtract(_s27, _multiply(2.0 * p_ring_radius, _s29, _r12), _r12)
     _s31 = _add(_multiply(_s16, _add(_multiply(vx, _s12, _r6), _multiply(vy, _s13, _r7), _r7), _r7), _multiply(_multiply(_s17, _subtract(vz, _multiply(p_gravity, _s11, _r10), _r10), _r10), _s15, _r10), _r10)
     _s32 = _add(x, _multiply(vx, horizon, _r7), _r7)
     _s33 = _add(y, _multiply(vy, horizon, _r8), _r8)
-    _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k7, _k45, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k7, _k45, _k7, _r8), _r15)
-    _s35 = _select(_subtract(_multiply(_multiply(_k105, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k46, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k7, _s34, _k7, _r7)
-    _s36 = _select(horizon < _subtract(_s11, _multiply(_k61, horizon, _r10), _r10), _k45, _select(_k7 < _s20, _select(_k7 < _s30, _s35, _k7, _r12), _k7, _r13), _r10)
+    _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k7, _k51, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k7, _k51, _k7, _r8), _r15)
+    _s35 = _select(_subtract(_multiply(_multiply(_k110, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k52, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k7, _s34, _k7, _r7)
+    _s36 = _select(horizon < _subtract(_s11, _multiply(_k66, horizon, _r10), _r10), _k51, _select(_k7 < _s20, _select(_k7 < _s30, _s35, _k7, _r12), _k7, _r13), _r10)
     _s37 = _add(_multiply(x, vx, _r4), _multiply(y, vy, _r9), _r9)
     _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
     _s39 = _select(_s38 < _k7, _select(_s18 < _add(_multiply(_s10, _add(_s37, _s38, _r14), _r14), _add(_multiply(x, x, _r9), _multiply(y, y, _r4), _r4), _r4), _s36, _k7, _r4), _k7, _r14)
@@ -2349,7 +2368,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35 = _room[:36]
     _s0 = _multiply(vz, vz, _r0)
     _s1 = _add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2)
-    _s2 = _add(_multiply(_k46, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(_k46, _s1, _r1)
+    _s2 = _add(_multiply(_k52, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(_k52, _s1, _r1)
     _s3 = _subtract(_multiply(x, vy, _r1), _multiply(y, vx, _r3), _r3)
     _s4 = _multiply(_s3, _s3, _r1)
     _s5 = (2.0 * p_ring_radius) * _s4
@@ -2357,36 +2376,36 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s7 = p_ball_radius + p_wire_radius
     _s8 = 1.00006103515625 * _s7
     _s9 = 2.0 * p_gravity
-    _s10 = _multiply(_k111, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
+    _s10 = _multiply(_k115, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
     _s11 = _add(_add(_s0, _multiply(_s9, _add(z, _s8, _r6), _r6), _r6), _s10, _r6)
     _s12 = 1.0 / p_gravity
     _s13 = _sqrt(_s11, _r7)
-    _s14 = _multiply(_k47, _add(_absolute(vz, _r8), _s13, _r8), _r8)
+    _s14 = _multiply(_k53, _add(_absolute(vz, _r8), _s13, _r8), _r8)
     _s15 = _k7 <= _s11
     _s16 = _select(_s15, _multiply(_s12, _subtract(_subtract(vz, _s13, _r6), _s14, _r6), _r6), _k8, _r9)
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = _multiply(_multiply(_k47, _s1, _r10), _add(_s18, _s6, _r11), _r10)
+    _s19 = _multiply(_multiply(_k53, _s1, _r10), _add(_s18, _s6, _r11), _r10)
     _s20 = _subtract(_add(_multiply(_s18, _s1, _r11), _s19, _r11), _s4, _r11)
     _s21 = _add(_multiply(x, vx, _r12), _multiply(y, vy, _r13), _r13)
     _s22 = _sqrt(_s20, _r12)
-    _s23 = _multiply(_k47, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
-    _s24 = _divide(_k45, _s1, _r14)
+    _s23 = _multiply(_k53, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
+    _s24 = _divide(_k51, _s1, _r14)
     _s25 = _k7 <= _s20
-    _s26 = _k112 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k113, _r16)
+    _s26 = _k116 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k8, _r15), _k117, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
     _s33 = _sqrt(_select(_s32 < _k7, _k7, _s32, _r1), _r1)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k113, _r10), _k8, _r18)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k117, _r10), _k8, _r18)
     _s35 = _k7 < _select(_s26, _s32, _k7, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
     _s38 = _sqrt(_select(_s37 < _k7, _k7, _s37, _r4), _r4)
-    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k113, _r0)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k117, _r0)
     _s40 = _k7 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
@@ -2407,7 +2426,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s57 = _select(_s56 < _s53, _s53, _s56, _r33)
     _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)
     _s59 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s12, _add((2.0 * p_ball_radius) + (2.0 * p_wire_radius), extent, _r34), _r34), _r34), _r34)
-    _s60 = _add(_s59, _multiply(_multiply(_k46, speed, _r35), _s12, _r35), _r35)
+    _s60 = _add(_s59, _multiply(_multiply(_k52, speed, _r35), _s12, _r35), _r35)
     _s61 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s60 < horizon, _s60, horizon, _r34), _r34), _r34), 1.52587890625e-05 * p_ball_radius, _r34), 1.52587890625e-05 * p_wire_radius, _r34)
     return _s2, _s5, _sqrt(_s6), _result(_k7 < _s28, _s28, _k7, _r0), _result(_s42 < horizon, _s42, horizon, _r0), _result(_k7 < _s50, _s50, _k7, _r0), _result(_s51 < horizon, _s51, horizon, _r0), _result(_k7 < _s52, _s52, _k7, _r0), _result(_s53 < horizon, _s53, horizon, _r0), _add((6.0003662109375 * p_gravity) * _s7, _multiply(_s5, _s54 * (_s54 * _s54), _r29), _r29) + _absolute(_s2, _r24), _result(_s57 < horizon, _s57, horizon, _r0), _result(_s58 < _s61, _s61, _s58, _r0)
 
@@ -2429,9 +2448,9 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s8 = 0.0001220703125 * p_ring_radius
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
-    _s11 = _multiply(_k117, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k118, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = _k14 * _add(_add(_multiply(_multiply(_k119, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
-    return _k14 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k14 * _add(_multiply(_k119, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+    _s11 = _multiply(_k121, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k122, _s1, _r5), _r5), _r5), _r5), _r5)
+    _s12 = _k14 * _add(_add(_multiply(_multiply(_k123, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k17, _s3, _r2), _r2), _s11, _r2)
+    return _k14 * _add(_add(_multiply(_multiply(_k17, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k14 * _add(_multiply(_k123, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2444,12 +2463,12 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s1 = _add(y, _multiply(vy, t, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
     _s3 = _add(rho_start, _s2, _r2)
-    _s4 = _divide(_k45, _multiply(_s3, _s2, _r4), _r4)
+    _s4 = _divide(_k51, _multiply(_s3, _s2, _r4), _r4)
     _s5 = _subtract(_s2, p_ring_radius, _r5)
     _s6 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r6), _r6)
     _s7 = _add(z, _multiply(t, _s6, _r7), _r7)
-    _s8 = _k46 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_s7, _subtract(vz, _multiply(p_gravity, t, _r2), _r2), _r2), _r2)
-    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(_k46, _add(_multiply(x, vx, _r2), _multiply(y, vy, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
+    _s8 = _k52 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_s7, _subtract(vz, _multiply(p_gravity, t, _r2), _r2), _r2), _r2)
+    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(_k52, _add(_multiply(x, vx, _r2), _multiply(y, vy, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = _result(_k7 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r1), _r1), _r1), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r0)
     return t - _divide(_s11, _s8, _r7), _s11, _s8
@@ -2466,8 +2485,8 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
     _s3 = _subtract(_s2, p_ring_radius, _r2)
     _s4 = _add(rho_start, _s2, _r4)
-    _s5 = _divide(_k45, _multiply(_s4, _s2, _r5), _r5)
-    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(_k46, _add(_multiply(x, vx, _r6), _multiply(y, vy, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
+    _s5 = _divide(_k51, _multiply(_s4, _s2, _r5), _r5)
+    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(_k52, _add(_multiply(x, vx, _r6), _multiply(y, vy, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
     _s7 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r7), _r7)
     _s8 = _add(z, _multiply(t, _s7, _r6), _r6)
     _s9 = p_ball_radius + p_wire_radius
@@ -2475,7 +2494,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s11 = _multiply(_s4, _s5, _r5)
     _s12 = _multiply(_s11, _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1)
     _s13 = _subtract(vz, _multiply(p_gravity, t, _r0), _r0)
-    _s14 = _k46 * _add(_multiply(_s12, _s3, _r2), _multiply(_s8, _s13, _r4), _r4)
+    _s14 = _k52 * _add(_multiply(_s12, _s3, _r2), _multiply(_s8, _s13, _r4), _r4)
     _s15 = 6.0 * p_gravity
     _s16 = _multiply(_s15, _s8, _r4)
     _s17 = _multiply(moment2, _multiply(_s11, _multiply(_s11, _s11, _r2), _r2), _r2)
@@ -2486,8 +2505,8 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s22 = _select(_s21 < _k7, _k7, _s21, _r9)
     _s23 = _subtract(_add(_s16, _s17, _r8), energy2, _r8)
     _s24 = _s20 < _k7
-    _s25 = _multiply(_k46, _s22, _r10)
-    _s26 = _select(_k7 < _select(_k7 <= _s20, _s22, _k7, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k105, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k7 < _s23, _s23, _k7, _r14), _r15), _r12), _r11)
+    _s25 = _multiply(_k52, _s22, _r10)
+    _s26 = _select(_k7 < _select(_k7 <= _s20, _s22, _k7, _r11), _k8, _divide(_select(_s24, _s25, _multiply(_k110, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k7 < _s23, _s23, _k7, _r14), _r15), _r12), _r11)
     _s27 = _subtract(end, t, _r15)
     _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
     _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k7, _k7, _s13, _r8), _r8), _s8, _r8), _r8)
@@ -2496,15 +2515,15 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s32 = p_ring_radius - _s18
     _s33 = 0.0001220703125 * p_ring_radius
     _s34 = _where(_s32 < _s33, _s33, _s32)
-    _s35 = _divide(_k45, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
+    _s35 = _divide(_k51, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
     _s36 = _multiply(moment2, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
-    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k125, _add(_add(_s36, _absolute(energy2, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), energy2, _r6)
-    _s38 = _add(_multiply(_multiply(_k46, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k129, _add(_add(_s36, _absolute(energy2, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), energy2, _r6)
+    _s38 = _add(_multiply(_multiply(_k52, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
     _s39 = _sqrt(_s38, _r3)
     _s40 = _select(_k7 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k7 < _s37, _s37, _k7, _r5), _r1), _r7), _k8, _r9)
     _s41 = _result(_s40 < _s28, _s40, _s28, _r0)
     _s42 = _negative(_add(rate_margin, _s14, _r1), _r1)
-    return _s10, _s14, _subtract(energy2, _s16, _r4) - _s17, _s41, t + _s41, _result(_k7 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k51, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
+    return _s10, _s14, _subtract(energy2, _s16, _r4) - _s17, _s41, t + _s41, _result(_k7 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k56, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
 
 
 def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2515,47 +2534,47 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = _k127 * (p_ball_radius + p_wire_radius)
+    _s1 = _k131 * (p_ball_radius + p_wire_radius)
     _s2 = _k36 * p_gravity
-    _s3 = _multiply(_k128, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s3 = _multiply(_k132, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
-    _s5 = _k60 / p_gravity
+    _s5 = _k65 / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(_k69, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s7 = _multiply(_k74, _add(_absolute(vz, _r4), _s6, _r4), _r4)
     _s8 = _k29 <= _s4
     _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k30, _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(_k69, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_k74, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(_k69, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
-    _s20 = _divide(_k67, _s10, _r13)
+    _s19 = _multiply(_k74, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s20 = _divide(_k72, _s10, _r13)
     _s21 = _k29 <= _s16
-    _s22 = _k129 < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k30, _r14), _k130, _r15)
+    _s22 = _k133 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k30, _r14), _k134, _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
     _s25 = _select(_k29 < _s24, _s24, _k29, _r17)
     _s26 = _select(_k29 < _s25, _s25, _k29, _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = _k131 * p_ring_radius
+    _s28 = _k135 * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
     _s31 = _sqrt(_select(_s30 < _k29, _k29, _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k130, _r6), _k30, _r19)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k134, _r6), _k30, _r19)
     _s33 = _k29 < _select(_s22, _s30, _k29, _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
     _s36 = _sqrt(_select(_s35 < _k29, _k29, _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k130, _r0)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k134, _r0)
     _s38 = _k29 < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(_k132, horizon, _r24)
+    _s41 = _multiply(_k136, horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
     _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k30, _r13)
@@ -2580,8 +2599,8 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s63 = _select(_k29 < _s40, _s40, _k29, _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k133 * _s29)), (_s11 <= ((_k133 * p_ball_radius) + (_k133 * p_wire_radius)))), (_s11 <= _k134)), (_k135 <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k29, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k29, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k134)), (_k135 <= p_gravity)), (extent <= _k136)), (speed <= _k136))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k137 * _s29)), (_s11 <= ((_k137 * p_ball_radius) + (_k137 * p_wire_radius)))), (_s11 <= _k138)), (_k139 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k29, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k29, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k138)), (_k139 <= p_gravity)), (extent <= _k140)), (speed <= _k140))
 
 
 def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2594,30 +2613,30 @@ def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any
     _s0 = _k29 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k127 * _s2
+    _s3 = _k131 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k131 * p_ring_radius
+    _s5 = _k135 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
-    _s8 = _where(_k60 < _s7, _s7, _k60)
+    _s8 = _where(_k65 < _s7, _s7, _k65)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(_k141, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_k142, start_rate, _r3), _s11, _r3)
-    _s13 = _select(_s12 < _k143, _s12, _k143, _r5)
-    _s14 = _result(_s0, _select(_k144 < _s13, _s13, _k144, _r6), _k143, _r0)
-    _s15 = _add(_multiply(_k22, _multiply(vz, vz, _r7), _r7), _multiply(_k86 * p_gravity, z, _r8), _r8) + _multiply(_k22, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_k145, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_k146, start_rate, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _k147, _s12, _k147, _r5)
+    _s14 = _result(_s0, _select(_k148 < _s13, _s13, _k148, _r6), _k147, _r0)
+    _s15 = _add(_multiply(_k22, _multiply(vz, vz, _r7), _r7), _multiply(_k91 * p_gravity, z, _r8), _r8) + _multiply(_k22, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s17 = (_k36 * p_ring_radius) * _multiply(_s16, _s16, _r8)
-    _s18 = _k60 / _s6
+    _s18 = _k65 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((_k145 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_k149 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k69, _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(_k146, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _k37, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k27 * _s20, (_k147 * _s2) * _s24, _result(_s0, _multiply(_k27, _add(_multiply(_k128, _absolute(start_rate, _r12), _r12), _multiply(_add(_k148, _s14, _r2), _s11, _r2), _r2), _r2), _k30, _r0), _k27 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k81 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k141 * _add(_multiply(_multiply(_k27, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k149, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k150 * p_ball_radius) + (_k150 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k29))
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k74, _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(_k150, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _k37, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k27 * _s20, (_k151 * _s2) * _s24, _result(_s0, _multiply(_k27, _add(_multiply(_k132, _absolute(start_rate, _r12), _r12), _multiply(_add(_k152, _s14, _r2), _s11, _r2), _r2), _r2), _k30, _r0), _k27 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k86 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k145 * _add(_multiply(_multiply(_k27, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k153, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k154 * p_ball_radius) + (_k154 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k29))
 
 
 def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2638,7 +2657,7 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s8 = _add(y, _multiply(vy, t, _r5), _r5)
     _s9 = _sqrt(_add(_multiply(_s7, _s7, _r6), _multiply(_s8, _s8, _r7), _r7), _r7)
     _s10 = _add(rho_start, _s9, _r6)
-    _s11 = _divide(_k67, _multiply(_s10, _s9, _r8), _r8)
+    _s11 = _divide(_k72, _multiply(_s10, _s9, _r8), _r8)
     _s12 = _multiply(_s9, _s11, _r9)
     _s13 = _multiply(_s12, _add(_multiply(t, _s6, _r10), _multiply(_k22, _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12), _r12), _r12), _r12)
     _s14 = _subtract(vz, _multiply(_k23 * p_gravity, t, _r10), _r10)
@@ -2657,32 +2676,32 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s27 = _select(_s26 < _k29, _k29, _s26, _r15)
     _s28 = _multiply(_k22, _add(_s27, _multiply(_k22, _s25, _r12), _r12), _r12)
     _s29 = _subtract(_s22, _s5, _r2)
-    _s30 = _k157 * p_gravity
+    _s30 = _k161 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(moment2, _multiply(_s17, _multiply(_s17, _s17, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), energy2, _r17)
     _s34 = _s29 < _k29
     _s35 = _multiply(_k22, _s27, _r18)
-    _s36 = _select(_k29 < _select(_k29 <= _s29, _s27, _k29, _r19), _k30, _divide(_select(_s34, _add(_s35, _multiply(_k158, _s25, _r19), _r19), _multiply(_k73, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k29 < _s33, _s33, _k29, _r23), _r24), _r21), _r20)
+    _s36 = _select(_k29 < _select(_k29 <= _s29, _s27, _k29, _r19), _k30, _divide(_select(_s34, _add(_s35, _multiply(_k162, _s25, _r19), _r19), _multiply(_k78, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k29 < _s33, _s33, _k29, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _k127 * _s24
-    _s40 = _add((_k131 * p_ball_radius) + (_k131 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k29, _k29, _s21, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k131 * _s24
+    _s40 = _add((_k135 * p_ball_radius) + (_k135 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k29, _k29, _s21, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k29 < _s18, _k29, _s18, _r23), _r23), _s9, _r23), _multiply(_k159, _s42, _r7), _r7), _k84 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k29 < _s18, _k29, _s18, _r23), _r23), _s9, _r23), _multiply(_k163, _s42, _r7), _r7), _k89 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = _k131 * p_ring_radius
+    _s45 = _k135 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
-    _s47 = _divide(_k67, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
+    _s47 = _divide(_k72, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(moment2, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(energy2, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k160, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k164, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
     _s51 = _negative(_s21, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k135 * p_ball_radius) + (_k135 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k29, _k29, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k161, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(energy2, _add(_s52, _multiply(_k162, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k139 * p_ball_radius) + (_k139 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k29, _k29, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k165, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(energy2, _add(_s52, _multiply(_k166, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
-    _s55 = _select(_k29 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k158, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
+    _s55 = _select(_k29 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k162, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
     _s56 = _k29 < _s55
     _s57 = _add(_multiply(_multiply(_k22, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
@@ -2707,7 +2726,7 @@ def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radiu
     _r0, _r1 = _room[:2]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1))
     _s1 = _add(_multiply(x, vx, _r1), _multiply(y, vy, _r0), _r0) / _s0
-    return _s0, _k46 * _add(_multiply(z, vz, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
+    return _s0, _k52 * _add(_multiply(z, vz, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
 
 
 def ring_coarse_excess(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2723,7 +2742,7 @@ def ring_coarse_excess(share: Any, horizon: Any, extent: Any, speed: Any, positi
     _s4 = p_ring_radius - _s2
     _s5 = 0.0001220703125 * p_ring_radius
     _s6 = _s2 / _where(_s4 < _s5, _s5, _s4)
-    _s7 = _subtract(_add(position_error, _multiply(_multiply(_k44, horizon, _r3), velocity_error, _r3), _r3), _s1, _r3)
+    _s7 = _subtract(_add(position_error, _multiply(_multiply(_k50, horizon, _r3), velocity_error, _r3), _r3), _s1, _r3)
     _s8 = _add(_multiply(_multiply(_s0, _where(1.0 < _s6, _s6, 1.0), _r1), _select(_s7 < _s3, _s3, _s7, _r4), _r4), _multiply(_s2, _subtract(velocity_error, _multiply(share, _s0, _r0), _r0), _r0), _r0)
     return _result(_s3 < _s8, _s8, _s3, _r0),
 
@@ -2737,7 +2756,7 @@ def ring_budget_exceeded(horizon: Any, extent: Any, speed: Any, position_error: 
     _s0 = (0.000244140625 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = 1.0 / p_gravity
     _s2 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s1, _add((2.0 * p_ball_radius) + (2.0 * p_wire_radius), extent, _r0), _r0), _r0), _r0)
-    _s3 = _add(_s2, _multiply(_multiply(_k46, speed, _r1), _s1, _r1), _r1)
+    _s3 = _add(_s2, _multiply(_multiply(_k52, speed, _r1), _s1, _r1), _r1)
     _s4 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s3 < horizon, _s3, horizon, _r0), _r0), _r0), 1.52587890625e-05 * p_ball_radius, _r0), 1.52587890625e-05 * p_wire_radius, _r0)
     return _result(_s0 < _s4, _s4, _s0, _r0),
 
@@ -2825,8 +2844,8 @@ def backboard_tangents(t: Any, x: Any, vx: Any, _room: Any = NO_ROWS) -> tuple[A
     """
     t, x, vx, = [_single(value) for value in (t, x, vx,)]
     _r0, _r1 = _halves(_room[:2])
-    _s0 = _k24 + _multiply(_k25, _add(_multiply(_multiply(_k73, t, _r0), _multiply(_k22, _absolute(vx, _r1), _r1), _r0), _absolute(x, _r1), _r1), _r1)
-    return _k37, _k60, _k37, _k37, _k37, _s0, _s0, _k37
+    _s0 = _k24 + _multiply(_k25, _add(_multiply(_multiply(_k78, t, _r0), _multiply(_k22, _absolute(vx, _r1), _r1), _r0), _absolute(x, _r1), _r1), _r1)
+    return _k37, _k65, _k37, _k37, _k37, _s0, _s0, _k37
 
 
 def backboard_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_gravity: Any, change_ball_radius: Any, change_board_distance: Any, change_board_half_width: Any, change_board_bottom: Any, change_board_top: Any) -> tuple[Any, ...]:
@@ -2866,7 +2885,7 @@ def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any,
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k171, _s0, _r1), _r1) + _multiply(_k172, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(_k175, _s0, _r1), _r1) + _multiply(_k176, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def backboard_place(y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
@@ -2926,9 +2945,9 @@ def bridge_tangents(t: Any, z: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROW
     """
     t, z, vz, p_gravity, = [_single(value) for value in (t, z, vz, p_gravity,)]
     _r0, _r1, _r2 = _halves(_room[:3])
-    _s0 = _multiply(_multiply(_k73, t, _r0), _add(_absolute(vz, _r1), _absolute(_add(vz, _multiply(_k23 * p_gravity, t, _r2), _r2), _r2), _r2), _r0)
+    _s0 = _multiply(_multiply(_k78, t, _r0), _add(_absolute(vz, _r1), _absolute(_add(vz, _multiply(_k23 * p_gravity, t, _r2), _r2), _r2), _r2), _r0)
     _s1 = _k24 + _multiply(_k25, _add(_s0, _absolute(z, _r2), _r2), _r2)
-    return _k37, _k60, _k37, _k37, _k37, _s1, _s1, _k37
+    return _k37, _k65, _k37, _k37, _k37, _s1, _s1, _k37
 
 
 def bridge_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any, change_board_distance: Any, change_bridge_half_width: Any) -> tuple[Any, ...]:
@@ -2966,7 +2985,7 @@ def bridge_arrival(leaving: Any, z: Any, vz: Any, p_ball_radius: Any, p_wire_rad
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
     _s4 = vz < _k7
     _s5 = -(1.0 / p_gravity)
-    return _select(_s4, _multiply(_k46, _s1, _r6), _add(vz, _s3, _r7), _r8) / _select(_s4, _subtract(_s3, vz, _r9), p_gravity, _r10), -_s3, -p_gravity, _result(_s4, _k7, _negative(_multiply(vz, _s5, _r5), _r5), _r0), _result(_s4, _s1, _negative(_multiply(0.5 * _s5, _s2, _r3), _r3), _r0)
+    return _select(_s4, _multiply(_k52, _s1, _r6), _add(vz, _s3, _r7), _r8) / _select(_s4, _subtract(_s3, vz, _r9), p_gravity, _r10), -_s3, -p_gravity, _result(_s4, _k7, _negative(_multiply(vz, _s5, _r5), _r5), _r0), _result(_s4, _s1, _negative(_multiply(0.5 * _s5, _s2, _r3), _r3), _r0)
 
 
 def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2976,7 +2995,7 @@ def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, ve
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k171, _s0, _r1), _r1) + _multiply(_k172, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(_k175, _s0, _r1), _r1) + _multiply(_k176, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def bridge_place(x: Any, y: Any, p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -3037,9 +3056,9 @@ def end_tangents(t: Any, z: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROWS) 
     """
     t, z, vz, p_gravity, = [_single(value) for value in (t, z, vz, p_gravity,)]
     _r0, _r1, _r2 = _halves(_room[:3])
-    _s0 = _multiply(_multiply(_k73, t, _r0), _add(_absolute(vz, _r1), _absolute(_add(vz, _multiply(_k23 * p_gravity, t, _r2), _r2), _r2), _r2), _r0)
+    _s0 = _multiply(_multiply(_k78, t, _r0), _add(_absolute(vz, _r1), _absolute(_add(vz, _multiply(_k23 * p_gravity, t, _r2), _r2), _r2), _r2), _r0)
     _s1 = _k24 + _multiply(_k25, _add(_s0, _absolute(z, _r2), _r2), _r2)
-    return _k37, _k60, _k37, _k37, _k37, _s1, _s1, _k37
+    return _k37, _k65, _k37, _k37, _k37, _s1, _s1, _k37
 
 
 def end_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ring_radius: Any, p_gravity: Any, p_end_depth: Any, change_ring_radius: Any, change_end_depth: Any) -> tuple[Any, ...]:
@@ -3068,7 +3087,7 @@ def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any,
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
     _s4 = vz < _k7
     _s5 = -(1.0 / p_gravity)
-    return _select(_s4, _multiply(_k46, _s1, _r6), _add(vz, _s3, _r7), _r8) / _select(_s4, _subtract(_s3, vz, _r9), p_gravity, _r10), -_s3, -p_gravity, _result(_s4, _k7, _negative(_multiply(vz, _s5, _r5), _r5), _r0), _result(_s4, _s1, _negative(_multiply(0.5 * _s5, _s2, _r3), _r3), _r0)
+    return _select(_s4, _multiply(_k52, _s1, _r6), _add(vz, _s3, _r7), _r8) / _select(_s4, _subtract(_s3, vz, _r9), p_gravity, _r10), -_s3, -p_gravity, _result(_s4, _k7, _negative(_multiply(vz, _s5, _r5), _r5), _r0), _result(_s4, _s1, _negative(_multiply(0.5 * _s5, _s2, _r3), _r3), _r0)
 
 
 def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3078,7 +3097,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k171, _s0, _r1), _r1) + _multiply(_k172, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k175, _s0, _r1), _r1) + _multiply(_k176, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k17, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -3424,7 +3443,7 @@ def _earliest_alone(index: Any, time: Any, when: Any, which: Any, arrives: Any) 
 
 
 def _beginning_alone() -> tuple[Any, ...]:
-    return _k53, _k10, False
+    return _k58, _k10, False
 
 
 def _out_of_budget_alone(pad: Any, budget_exceeded: Any, earliest_delay: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
@@ -3443,7 +3462,7 @@ def _opened_alone(horizon: Any, time: Any) -> tuple[Any, ...]:
 
 def _coarse_alone(rate_margin: Any, flat: Any, ceiling: Any, share: Any, searching: Any, representable: Any, fits: Any) -> tuple[Any, ...]:
     _s0 = (searching and representable) and fits
-    return _s0, searching or (not representable), _s0, ceiling, flat, rate_margin, share if (representable and fits) else _k53
+    return _s0, searching or (not representable), _s0, ceiling, flat, rate_margin, share if (representable and fits) else _k58
 
 
 def _stepped_alone(arrival: Any, lasting: Any, searching: Any, since: Any, single_precision: Any, certain: Any) -> tuple[Any, ...]:
@@ -3461,7 +3480,7 @@ def _gap_closes_alone(gap: Any, rate: Any, bend: Any, margin: Any, rate_margin: 
 
 
 def _smaller_budget_alone(share: Any) -> tuple[Any, ...]:
-    return (_k55 * share) if (_k54 < share) else _k2,
+    return (_k60 * share) if (_k59 < share) else _k2,
 
 
 def _budget_undecided_alone(t: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
@@ -3480,7 +3499,7 @@ def _found_alone(arrival: Any) -> tuple[Any, ...]:
 
 
 def _refined_root_alone(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
-    return refined if certain else arrival, certain and ((_k56 * (rate * rate)) < (ceiling * abs(gap)))
+    return refined if certain else arrival, certain and ((_k61 * (rate * rate)) < (ceiling * abs(gap)))
 
 
 def _own_margin_alone(leaving: Any, flat: Any, tilt: Any, arrival: Any) -> tuple[Any, ...]:
@@ -3501,9 +3520,9 @@ def _ring_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, positi
     _s0 = speed + (p_gravity * horizon)
     _s1 = horizon * _s0
     _s2 = (position_error + (horizon * velocity_error)) - (share * (_s1 + (extent + _s1)))
-    _s3 = _k103 * (p_ball_radius + p_wire_radius)
+    _s3 = _k108 * (p_ball_radius + p_wire_radius)
     _s4 = p_ring_radius - _s3
-    _s5 = _k104 * p_ring_radius
+    _s5 = _k109 * p_ring_radius
     _s6 = _s3 / (_s5 if _s4 < _s5 else _s4)
     _s7 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * _s2) + (_s3 * (velocity_error - (share * _s0)))
     return _s7 if _s2 < _s7 else _s2,
@@ -3512,44 +3531,44 @@ def _ring_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, positi
 def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = vz * vz
     _s1 = (vx * vx) + (vy * vy)
-    _s2 = ((_k48 * _s0) + ((_k49 * p_gravity) * z)) + (_k48 * _s1)
+    _s2 = ((_k43 * _s0) + ((_k54 * p_gravity) * z)) + (_k43 * _s1)
     _s3 = (x * vy) - (y * vx)
     _s4 = _s3 * _s3
-    _s5 = (_k48 * p_ring_radius) * _s4
+    _s5 = (_k43 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = _k103 * _s7
-    _s9 = _k48 * p_gravity
-    _s10 = _k114 * (_s0 + (_s9 * (abs(z) + _s8)))
+    _s8 = _k108 * _s7
+    _s9 = _k43 * p_gravity
+    _s10 = _k118 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
     _s12 = _k1 / p_gravity
     _s13 = _root(_s11)
-    _s14 = _k50 * (abs(vz) + _s13)
+    _s14 = _k55 * (abs(vz) + _s13)
     _s15 = _k2 <= _s11
     _s16 = (_s12 * ((vz - _s13) - _s14)) if _s15 else _k10
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = (_k50 * _s1) * (_s18 + _s6)
+    _s19 = (_k55 * _s1) * (_s18 + _s6)
     _s20 = ((_s18 * _s1) + _s19) - _s4
     _s21 = (x * vx) + (y * vy)
     _s22 = _root(_s20)
-    _s23 = _k50 * ((abs(_s21) + abs(_s3)) + _s22)
+    _s23 = _k55 * ((abs(_s21) + abs(_s3)) + _s22)
     _s24 = _k1 / _s1
     _s25 = _k2 <= _s20
-    _s26 = _k115 < _s1
-    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k116
+    _s26 = _k119 < _s1
+    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k10) if _s26 else _k120
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = _k104 * p_ring_radius
+    _s30 = _k109 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k116) if _s26 else _k10
+    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k120) if _s26 else _k10
     _s35 = _k2 < (_s32 if _s26 else _k2)
     _s36 = (((_s23 - _s21) - _s33) * _s24) if _s35 else _s34
     _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
     _s38 = _root((_k2 if _s37 < _k2 else _s37))
-    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k116
+    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k120
     _s40 = _k2 < _s37
     _s41 = (_s12 * ((vz + _s14) - _s38)) if _s40 else _s39
     _s42 = _s36 if _s36 < _s41 else _s41
@@ -3568,28 +3587,28 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (_k106 * p_ring_radius) - (p_ring_radius - _s7)
-    _s59 = _root(_k48) * _root((_s12 * (((_k48 * p_ball_radius) + (_k48 * p_wire_radius)) + extent)))
-    _s60 = _s59 + ((_k48 * speed) * _s12)
-    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k107 * p_ball_radius)) - (_k107 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k110 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
+    _s58 = (_k111 * p_ring_radius) - (p_ring_radius - _s7)
+    _s59 = _root(_k43) * _root((_s12 * (((_k43 * p_ball_radius) + (_k43 * p_wire_radius)) + extent)))
+    _s60 = _s59 + ((_k43 * speed) * _s12)
+    _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k112 * p_ball_radius)) - (_k112 * p_wire_radius)
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k114 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = _k103 * _s0
+    _s2 = _k108 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (_k21 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = _k104 * p_ring_radius
+    _s8 = _k109 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
     _s10 = _s9 if _k1 < _s9 else _k1
-    _s11 = _k123 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k124 * _s1))))
-    _s12 = _k18 * ((((_k122 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
-    return _k18 * ((((_k21 * horizon) * _s3) + ((_k120 * _s0) * _s4)) + ((_k121 * _s0) * _s6)), _s12, _k18 * ((_k122 * (_s4 * _s1)) + _s11)
+    _s11 = _k127 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k128 * _s1))))
+    _s12 = _k18 * ((((_k126 * _s1) * ((_s5 * _s10) + _s4)) + (_k21 * _s3)) + _s11)
+    return _k18 * ((((_k21 * horizon) * _s3) + ((_k124 * _s0) * _s4)) + ((_k125 * _s0) * _s6)), _s12, _k18 * ((_k126 * (_s4 * _s1)) + _s11)
 
 
 def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3601,8 +3620,8 @@ def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy
     _s5 = _s2 - p_ring_radius
     _s6 = vz - ((_k0 * p_gravity) * t)
     _s7 = z + (t * _s6)
-    _s8 = _k48 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + (_s7 * (vz - (p_gravity * t))))
-    _s9 = (((t * ((vx * vx) + (vy * vy))) + (_k48 * ((x * vx) + (y * vy)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
+    _s8 = _k43 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + (_s7 * (vz - (p_gravity * t))))
+    _s9 = (((t * ((vx * vx) + (vy * vy))) + (_k43 * ((x * vx) + (y * vy)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = (t * (_s9 + ((z + _s7) * _s6))) if (_k2 < leaving) else (((_s5 * _s5) + (_s7 * _s7)) - (_s10 * _s10))
     return t - (_s11 / _s8), _s11, _s8
@@ -3615,7 +3634,7 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s3 = _s2 - p_ring_radius
     _s4 = rho_start + _s2
     _s5 = _k1 / (_s4 * _s2)
-    _s6 = (((t * ((vx * vx) + (vy * vy))) + (_k48 * ((x * vx) + (y * vy)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
+    _s6 = (((t * ((vx * vx) + (vy * vy))) + (_k43 * ((x * vx) + (y * vy)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
     _s7 = vz - ((_k0 * p_gravity) * t)
     _s8 = z + (t * _s7)
     _s9 = p_ball_radius + p_wire_radius
@@ -3623,81 +3642,81 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s11 = _s4 * _s5
     _s12 = _s11 * ((vx * _s0) + (vy * _s1))
     _s13 = vz - (p_gravity * t)
-    _s14 = _k48 * ((_s12 * _s3) + (_s8 * _s13))
+    _s14 = _k43 * ((_s12 * _s3) + (_s8 * _s13))
     _s15 = _k9 * p_gravity
     _s16 = _s15 * _s8
     _s17 = moment2 * (_s11 * (_s11 * _s11))
-    _s18 = _k103 * _s9
-    _s19 = _k126 * (p_ring_radius + _s18)
+    _s18 = _k108 * _s9
+    _s19 = _k130 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
     _s22 = _k2 if _s21 < _k2 else _s21
     _s23 = (_s16 + _s17) - energy2
     _s24 = _s20 < _k2
-    _s25 = _k48 * _s22
-    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k49 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
+    _s25 = _k43 * _s22
+    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k54 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
     _s27 = end - t
     _s28 = _s26 if _s26 < _s27 else _s27
     _s29 = _s19 + ((_s28 * (_k2 if _s13 < _k2 else _s13)) + _s8)
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
     _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = _k104 * p_ring_radius
+    _s33 = _k109 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = moment2 * (_s35 * (_s35 * _s35))
-    _s37 = ((_s30 + _s36) + (_k126 * ((_s36 + abs(energy2)) + abs(_s30)))) - energy2
-    _s38 = ((_k48 * _s37) * _s22) + (_s20 * _s20)
+    _s37 = ((_s30 + _s36) + (_k130 * ((_s36 + abs(energy2)) + abs(_s30)))) - energy2
+    _s38 = ((_k43 * _s37) * _s22) + (_s20 * _s20)
     _s39 = _root(_s38)
     _s40 = ((_s25 if _s24 else (_s20 + _s39)) / ((_s39 - _s20) if _s24 else (_s37 if _k2 < _s37 else _k2))) if (_k2 <= _s38) else _k10
     _s41 = _s40 if _s40 < _s28 else _s28
     _s42 = -(rate_margin + _s14)
-    return _s10, _s14, (energy2 - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k52 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
+    return _s10, _s14, (energy2 - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k57 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
 
 
 def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = vz * vz
-    _s1 = _k127 * (p_ball_radius + p_wire_radius)
+    _s1 = _k131 * (p_ball_radius + p_wire_radius)
     _s2 = _k36 * p_gravity
-    _s3 = _k137 * (_s0 + (_s2 * (abs(z) + _s1)))
+    _s3 = _k141 * (_s0 + (_s2 * (abs(z) + _s1)))
     _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
-    _s5 = _k60 / p_gravity
+    _s5 = _k65 / p_gravity
     _s6 = _root(_s4)
-    _s7 = _k84 * (abs(vz) + _s6)
+    _s7 = _k89 * (abs(vz) + _s6)
     _s8 = _k37 <= _s4
     _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k39
     _s10 = (vx * vx) + (vy * vy)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = (_k84 * _s10) * (_s12 + ((x * x) + (y * y)))
+    _s13 = (_k89 * _s10) * (_s12 + ((x * x) + (y * y)))
     _s14 = (x * vy) - (y * vx)
     _s15 = _s14 * _s14
     _s16 = ((_s12 * _s10) + _s13) - _s15
     _s17 = (x * vx) + (y * vy)
     _s18 = _root(_s16)
-    _s19 = _k84 * ((abs(_s17) + abs(_s14)) + _s18)
-    _s20 = _k60 / _s10
+    _s19 = _k89 * ((abs(_s17) + abs(_s14)) + _s18)
+    _s20 = _k65 / _s10
     _s21 = _k37 <= _s16
-    _s22 = _k138 < _s10
-    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k39) if _s22 else _k139
+    _s22 = _k142 < _s10
+    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k39) if _s22 else _k143
     _s24 = _s23 if _s9 < _s23 else _s9
     _s25 = _s24 if _k37 < _s24 else _k37
     _s26 = _s25 if _k37 < _s25 else _k37
     _s27 = p_ring_radius - _s1
-    _s28 = _k131 * p_ring_radius
+    _s28 = _k135 * p_ring_radius
     _s29 = _s28 if _s27 < _s28 else _s27
     _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15
     _s31 = _root((_k37 if _s30 < _k37 else _s30))
-    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k139) if _s22 else _k39
+    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k143) if _s22 else _k39
     _s33 = _k37 < (_s30 if _s22 else _k37)
     _s34 = (((_s19 - _s17) - _s31) * _s20) if _s33 else _s32
     _s35 = (_s0 + (_s2 * (z - _s1))) - _s3
     _s36 = _root((_k37 if _s35 < _k37 else _s35))
-    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k139
+    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k143
     _s38 = _k37 < _s35
     _s39 = (_s5 * ((vz + _s7) - _s36)) if _s38 else _s37
     _s40 = _s34 if _s34 < _s39 else _s39
-    _s41 = _k140 * horizon
+    _s41 = _k144 * horizon
     _s42 = _s40 if _s40 < _s41 else _s41
     _s43 = _s26 < _s42
     _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k39
@@ -3722,38 +3741,38 @@ def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, v
     _s63 = _s40 if _k37 < _s40 else _k37
     _s64 = _s54 if _s63 < _s54 else _s63
     _s65 = _s60 if _s64 < _s60 else _s64
-    _s66 = (((_s11 <= (_k133 * _s29)) and (_s11 <= ((_k133 * p_ball_radius) + (_k133 * p_wire_radius)))) and (_s11 <= _k134)) and (_k135 <= _s29)
-    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k37)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k37)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k134)) and (_k135 <= p_gravity)) and (extent <= _k134)) and (speed <= _k134)
+    _s66 = (((_s11 <= (_k137 * _s29)) and (_s11 <= ((_k137 * p_ball_radius) + (_k137 * p_wire_radius)))) and (_s11 <= _k138)) and (_k139 <= _s29)
+    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k37)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k37)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k138)) and (_k139 <= p_gravity)) and (extent <= _k138)) and (speed <= _k138)
 
 
 def _ring_resolution_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = _k37 < leaving
     _s1 = speed + (p_gravity * horizon)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k127 * _s2
+    _s3 = _k131 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k131 * p_ring_radius
+    _s5 = _k135 * p_ring_radius
     _s6 = _s5 if _s4 < _s5 else _s4
     _s7 = _s2 / _s6
-    _s8 = _s7 if _k60 < _s7 else _k60
+    _s8 = _s7 if _k65 < _s7 else _k65
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
-    _s11 = _k153 * ((_s9 * _s10) + (_s2 * _s1))
-    _s12 = (_k152 * start_rate) / _s11
-    _s13 = _s12 if _s12 < _k154 else _k154
-    _s14 = (_s13 if _k151 < _s13 else _k151) if _s0 else _k154
-    _s15 = ((_k36 * (vz * vz)) + ((_k86 * p_gravity) * z)) + (_k36 * ((vx * vx) + (vy * vy)))
+    _s11 = _k157 * ((_s9 * _s10) + (_s2 * _s1))
+    _s12 = (_k156 * start_rate) / _s11
+    _s13 = _s12 if _s12 < _k158 else _k158
+    _s14 = (_s13 if _k155 < _s13 else _k155) if _s0 else _k158
+    _s15 = ((_k36 * (vz * vz)) + ((_k91 * p_gravity) * z)) + (_k36 * ((vx * vx) + (vy * vy)))
     _s16 = (x * vy) - (y * vx)
     _s17 = (_k36 * p_ring_radius) * (_s16 * _s16)
-    _s18 = _k60 / _s6
+    _s18 = _k65 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = (((_k145 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
+    _s20 = (((_k149 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
     _s21 = horizon - t
     _s22 = p_gravity * (_s21 * _s21)
     _s23 = p_ring_radius + _s3
-    _s24 = (_s10 * _s14) + (_k84 * (_s22 + _s23))
+    _s24 = (_s10 * _s14) + (_k89 * (_s22 + _s23))
     _s25 = (_k23 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
-    return _s14, _k37, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k38 * _s20, (_k147 * _s2) * _s24, (_k38 * ((_k137 * abs(start_rate)) + ((_k155 + _s14) * _s11))) if _s0 else _k39, _k38 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k81 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k153 * (((_k38 * _s9) * _s24) + (((_k156 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k150 * p_ball_radius) + (_k150 * p_wire_radius))) and ((t * leaving) <= _k37)
+    return _s14, _k37, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k38 * _s20, (_k151 * _s2) * _s24, (_k38 * ((_k141 * abs(start_rate)) + ((_k159 + _s14) * _s11))) if _s0 else _k39, _k38 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k86 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k157 * (((_k38 * _s9) * _s24) + (((_k160 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k154 * p_ball_radius) + (_k154 * p_wire_radius))) and ((t * leaving) <= _k37)
 
 
 def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -3768,7 +3787,7 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s8 = y + (vy * t)
     _s9 = _root(((_s7 * _s7) + (_s8 * _s8)))
     _s10 = rho_start + _s9
-    _s11 = _k60 / (_s10 * _s9)
+    _s11 = _k65 / (_s10 * _s9)
     _s12 = _s9 * _s11
     _s13 = _s12 * ((t * _s6) + (_k36 * ((x * vx) + (y * vy))))
     _s14 = vz - ((_k23 * p_gravity) * t)
@@ -3787,32 +3806,32 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s27 = _k37 if _s26 < _k37 else _s26
     _s28 = _k36 * (_s27 + (_k36 * _s25))
     _s29 = _s22 - _s5
-    _s30 = _k157 * p_gravity
+    _s30 = _k161 * p_gravity
     _s31 = _s30 * _s20
     _s32 = moment2 * (_s17 * (_s17 * _s17))
     _s33 = (_s31 + _s32) - energy2
     _s34 = _s29 < _k37
     _s35 = _k36 * _s27
-    _s36 = _k39 if (_k37 < (_s27 if (_k37 <= _s29) else _k37)) else (((_s35 + (_k163 * _s25)) if _s34 else (_k86 * _s29)) / ((-_s29) if _s34 else (_s33 if _k37 < _s33 else _k37)))
+    _s36 = _k39 if (_k37 < (_s27 if (_k37 <= _s29) else _k37)) else (((_s35 + (_k167 * _s25)) if _s34 else (_k91 * _s29)) / ((-_s29) if _s34 else (_s33 if _k37 < _s33 else _k37)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
-    _s39 = _k127 * _s24
-    _s40 = ((_k131 * p_ball_radius) + (_k131 * p_wire_radius)) + ((_s38 * (_k37 if _s21 < _k37 else _s21)) + _s20)
+    _s39 = _k131 * _s24
+    _s40 = ((_k135 * p_ball_radius) + (_k135 * p_wire_radius)) + ((_s38 * (_k37 if _s21 < _k37 else _s21)) + _s20)
     _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
     _s42 = (abs(vx) + abs(vy)) * _s38
-    _s43 = (((_s38 * (_k37 if _k37 < _s18 else _s18)) + _s9) - (_k131 * _s42)) - (_k84 * (p_ring_radius + _s39))
+    _s43 = (((_s38 * (_k37 if _k37 < _s18 else _s18)) + _s9) - (_k135 * _s42)) - (_k89 * (p_ring_radius + _s39))
     _s44 = p_ring_radius - _s39
-    _s45 = _k131 * p_ring_radius
+    _s45 = _k135 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
-    _s47 = _k60 / (_s46 if _s43 < _s46 else _s43)
+    _s47 = _k65 / (_s46 if _s43 < _s46 else _s43)
     _s48 = moment2 * (_s47 * (_s47 * _s47))
     _s49 = abs(energy2)
-    _s50 = ((_s41 + _s48) + (_k164 * ((_s48 + _s49) + abs(_s41)))) - energy2
+    _s50 = ((_s41 + _s48) + (_k168 * ((_s48 + _s49) + abs(_s41)))) - energy2
     _s51 = -_s21
-    _s52 = (_s30 * (((_k135 * p_ball_radius) + (_k135 * p_wire_radius)) + (((p_gravity * _s38) + (_k37 if _s51 < _k37 else _s51)) * _s38))) + ((_k165 * (_s32 * _s17)) * _s42)
-    _s53 = energy2 + (_s52 + (_k135 * ((_s49 + abs(_s31)) + _s32)))
+    _s52 = (_s30 * (((_k139 * p_ball_radius) + (_k139 * p_wire_radius)) + (((p_gravity * _s38) + (_k37 if _s51 < _k37 else _s51)) * _s38))) + ((_k169 * (_s32 * _s17)) * _s42)
+    _s53 = energy2 + (_s52 + (_k139 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
-    _s55 = ((_s23 * _s23) - ((_k163 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k37 < _s23) else _s23
+    _s55 = ((_s23 * _s23) - ((_k167 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k37 < _s23) else _s23
     _s56 = _k37 < _s55
     _s57 = ((_k36 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
@@ -3832,16 +3851,16 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
 def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any) -> tuple[Any, ...]:
     _s0 = _root(((x * x) + (y * y)))
     _s1 = ((x * vx) + (y * vy)) / _s0
-    return _s0, _k48 * ((z * vz) + (_s1 * (_s0 - p_ring_radius))), _s1
+    return _s0, _k43 * ((z * vz) + (_s1 * (_s0 - p_ring_radius))), _s1
 
 
 def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = speed + (p_gravity * horizon)
     _s1 = share * (extent + (horizon * _s0))
-    _s2 = _k103 * (p_ball_radius + p_wire_radius)
-    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k166 * (p_ring_radius + _s2))
+    _s2 = _k108 * (p_ball_radius + p_wire_radius)
+    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k170 * (p_ring_radius + _s2))
     _s4 = p_ring_radius - _s2
-    _s5 = _k104 * p_ring_radius
+    _s5 = _k109 * p_ring_radius
     _s6 = _s2 / (_s5 if _s4 < _s5 else _s4)
     _s7 = (position_error + ((_k0 * horizon) * velocity_error)) - _s1
     _s8 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * (_s3 if _s7 < _s3 else _s7)) + (_s2 * (velocity_error - (share * _s0)))
@@ -3849,11 +3868,11 @@ def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any,
 
 
 def _ring_budget_exceeded_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    _s0 = (_k106 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s0 = (_k111 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = _k1 / p_gravity
-    _s2 = _root(_k48) * _root((_s1 * (((_k48 * p_ball_radius) + (_k48 * p_wire_radius)) + extent)))
-    _s3 = _s2 + ((_k48 * speed) * _s1)
-    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k107 * p_ball_radius)) - (_k107 * p_wire_radius)
+    _s2 = _root(_k43) * _root((_s1 * (((_k43 * p_ball_radius) + (_k43 * p_wire_radius)) + extent)))
+    _s3 = _s2 + ((_k43 * speed) * _s1)
+    _s4 = ((position_error + (velocity_error * (_s3 if _s3 < horizon else horizon))) - (_k112 * p_ball_radius)) - (_k112 * p_wire_radius)
     return _s4 if _s0 < _s4 else _s0,
 
 

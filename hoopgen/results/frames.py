@@ -21,6 +21,7 @@ from hoopgen.generated.numpy.hoop import ResultField
 from hoopgen.report.provenance import describe_scene
 from hoopgen.report.quantities import for_json
 from hoopgen.text.html import MAX_ROWS, some_rows, table
+from hoopgen.text.numbers import format_uncertain
 
 from .variations import derivative_arrays, event_derivative_arrays
 
@@ -36,6 +37,7 @@ __all__ = [
     "event_numbers",
     "events_frame",
     "events_table",
+    "outcome_counts",
     "scene_of",
     "shots_dataset",
     "shots_frame",
@@ -46,6 +48,9 @@ __all__ = [
 
 class Shots(Protocol):
     """The part of `hoopgen.Shots` that tables need, besides its fields."""
+
+    @property
+    def outcome(self) -> NDArray[np.uint8]: ...
 
     @property
     def parameters(self) -> Mapping[str, Value]: ...
@@ -167,6 +172,19 @@ def shots_dataset(shots: Shots) -> Dataset:
     dataset.attrs["parameters"] = json.dumps(for_json(alike))
     apart = {name: ("shot", v) for name, v in shots.parameters.items() if np.ndim(v)}
     return dataset.assign_coords(apart)
+
+
+def outcome_counts(shots: Shots) -> str:
+    """Return the numbers of shots by outcome, and of uncertain ones, as text."""
+    ended = {
+        one.name.lower(): np.count_nonzero(shots.outcome == one) for one in shots.scene.outcomes
+    }
+    said = ", ".join(f"{count:,} {name}" for name, count in ended.items() if count)
+    uncertain = getattr(shots, "uncertain", None)
+    if uncertain is None or not uncertain.any():
+        return said
+    capped = uncertain & (shots.outcome == shots.scene.outcomes["CAPPED"])
+    return f"{said}; {format_uncertain(int(uncertain.sum()), int(capped.sum()))}"
 
 
 def shots_html(shots: Shots) -> str:

@@ -15,10 +15,11 @@ from hoopgen.core.validation import check_index
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.generated.numpy.hoop import BODIES
 from hoopgen.generated.numpy.hoop import Outcome as Outcome
-from hoopgen.text.numbers import format_count, format_uncertain
+from hoopgen.text.numbers import format_count
 
 from . import frames
 from .drawing import FanOptions
+from .proof import ProofPremises
 from .trajectory import Trajectory
 from .variations import Variations
 
@@ -42,8 +43,7 @@ FieldArray = (
 """A field of `Shots`, by shot; the event log is the one with a structure."""
 
 SURFACES: tuple[str, ...] = tuple(BODIES)
-"""Bodies of the hoop, in the order of ``Shots.counts``; the event log numbers the end plane after
-them."""
+"""Bodies of the hoop as in ``Shots.counts``; the event log numbers the end plane after them."""
 
 
 class Shots:
@@ -78,15 +78,14 @@ class Shots:
         bool (n,), some decision of the shot lies within its rounding-error bound.
     time_error, state_error
         float64 (n,) and (n, 3), if requested by name: bounds on the errors of `time` and of each
-        component of position, velocity and spin, of shots that are not uncertain; in `HOOP` proved.
+        component of position, velocity and spin, of shots that are not uncertain.
     grip_lost
         float64 (n,), s, if requested by name, where a ball may roll: the time at which rolling
         first needed more friction than the body has; infinite if never. The ball rolls on.
     events
         With ``record=True``: the event log, rows in order of shot, then time; their ``kind`` is an
-        `Event`. Between a ROLL row and the next one of its shot the ball stays in contact. If
-        `time_error` or `state_error` are requested by name, it has them, too, for its times and for
-        the states after its events.
+        `Event`. Between a ROLL row and the next one of its shot the ball stays in contact. Of
+        `time_error` and `state_error` it has those that are requested by name, of each event.
     parameters
         Parameters of the scene, one number each or (n,).
     scene
@@ -116,14 +115,13 @@ class Shots:
         states: NDArray[np.float64],
         parameters: Mapping[str, Value],
         scene: CompiledScene,
+        premises: ProofPremises,
         variations: Variations | None = None,
     ) -> None:
-        self._fields = fields
+        self._fields, self._premises = fields, premises
         if variations is not None:
             self._variations = variations
-        self._states = states
-        self.parameters = parameters
-        self.scene = scene
+        self._states, self.parameters, self.scene = states, parameters, scene
 
     @property
     def releases(self) -> NDArray[np.float64]:
@@ -134,6 +132,16 @@ class Shots:
     def surfaces(self) -> tuple[str, ...]:
         """Names of the bodies, in the order of the columns of `counts`."""
         return self.scene.surfaces
+
+    @property
+    def proved(self) -> NDArray[np.bool_]:
+        """The shots of which `uncertain`, `time_error` and `state_error` are proved, bool (n,).
+
+        They are for balls that are released in flight in `HOOP`, and in scenes of level rings and
+        planes without slip, of usual sizes, and if the judge settled the shot; else estimated.
+        """
+        own = self.to_numpy()
+        return self._premises.proved(self.scene, own.releases, own.parameters, own.contacts)
 
     @property
     def jacobian(self) -> Jacobian:
@@ -242,6 +250,7 @@ class Shots:
         if scene is not None and name in scene.layout.absent:
             why = scene.layout.absent[name].absence
             raise AttributeError(f"{name}: in the scene {scene.name} {why}")
+        name = "contacts" if name == "proved" else name
         if name in Shots.__annotations__ or (scene is not None and name in scene.layout.results):
             raise AttributeError(f"{name}: not among the fields asked for: {', '.join(fields)}")
         raise AttributeError(f"Shots has no attribute {name!r}")
@@ -264,30 +273,18 @@ class Shots:
         if not isinstance(self._states, np.ndarray):
             named = ", ".join(self._fields)
             return f"Shots({shots} in the memory of a GPU: {named}; {frames.scene_of(self)})"
-        what = self._counts() if "outcome" in self._fields else ", ".join(self._fields)
+        what = frames.outcome_counts(self) if "outcome" in self._fields else ", ".join(self._fields)
         return f"Shots({shots}{': ' if what else ''}{what}; {frames.scene_of(self)})"
-
-    def _counts(self) -> str:
-        """Return the numbers of shots by outcome, and of uncertain ones, as text."""
-        ended = {
-            one.name.lower(): np.count_nonzero(self.outcome == one) for one in self.scene.outcomes
-        }
-        said = ", ".join(f"{count:,} {name}" for name, count in ended.items() if count)
-        if "uncertain" not in self._fields or not self.uncertain.any():
-            return said
-        capped = self.uncertain & (self.outcome == self.scene.outcomes["CAPPED"])
-        return f"{said}; {format_uncertain(int(self.uncertain.sum()), int(capped.sum()))}"
 
     def to_numpy(self) -> Shots:
         """Return the results as NumPy arrays: those in the memory of a GPU are copied from there.
 
-        Shots that are simulated by backend "cuda" from states in the memory of a GPU have their
-        results there. All methods that read them take this copy first.
+        Methods that read them take this copy first.
         """
         if isinstance(self._states, np.ndarray):
             return self
         fields = {name: array.get() for name, array in self._fields.items()}
-        return Shots(fields, self._states.get(), self.parameters, self.scene)
+        return Shots(fields, self._states.get(), self.parameters, self.scene, self._premises)
 
     def plot(self, *, ax: Drawn | None = None, **options: Unpack[FanOptions]) -> Drawn:
         """Draw the paths; options, and what is returned and raised, as for `plots.plot_fan`."""

@@ -28,6 +28,7 @@ from hoopgen.engine.arithmetic import is_exact
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.engine.cuda import CudaEngine, is_device_array, to_host
 from hoopgen.engine.result_arrays import ResultArrays, need_bounds
+from hoopgen.results.proof import ProofPremises
 from hoopgen.results.shots import Shots
 
 from .backend_choice import Library, device_states, find_library, host_parameters
@@ -238,15 +239,17 @@ def run(
     if by is not None:
         found = find_derivatives(engine, by, named, releases, results, results["events"])
         variations = Variations(engine, named, releases, *found, ~results["uncertain"])
+    settled = np.empty(0, np.int64)
     if settle:
         # Imported here, because the judge needs SymPy and python-flint.
         from hoopgen.judge.settle import settle as decide
 
-        decide(results, begun, named, most, scene=engine, leaving=left, time_limit=limit)
+        settled = decide(results, begun, named, most, scene=engine, leaving=left, time_limit=limit)
     kept = (*wanted, "events") if record else wanted
     if needed or logged != record:
         results = {name: array for name, array in results.items() if name in kept}
-    return Shots(results, releases, named, engine, variations)
+    premises = ProofPremises(left, settled)
+    return Shots(results, releases, named, engine, premises, variations)
 
 
 def check_log(

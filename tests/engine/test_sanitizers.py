@@ -150,9 +150,10 @@ static uint64_t call(size_t n, int width, int logged, const double *shots, size_
     out.time_error = WANTED ? room(n, sizeof *out.time_error) : NULL;
     out.state_error = WANTED ? room(3 * n, sizeof *out.state_error) : NULL;
     out.uncertain = WANTED ? room(n, sizeof *out.uncertain) : NULL;
-    out.events = logged ? room(n * ((size_t)most + 1), sizeof *out.events) : NULL;
+    const size_t rows = n * ((size_t)most + 1);
+    out.events = logged ? room(rows, sizeof *out.events) : NULL;
     out.event_counts = logged ? room(n, sizeof *out.event_counts) : NULL;
-    out.event_errors = logged && WANTED ? room(n * ((size_t)most + 1), sizeof *out.event_errors) : NULL;
+    out.event_errors = logged && WANTED ? room(rows, sizeof *out.event_errors) : NULL;
 
     const int used = hoop_simulate(n, states, parameters, strides, leaving, most, limit, width,
                                    below(2) ? &stop : NULL, &out);

@@ -19,7 +19,7 @@ from hoopgen.derive.events.ring import air as ring_in_air
 from hoopgen.derive.events.ring import double, polar, single
 from hoopgen.derive.motion import air_piece, air_series, ring_rolling_series, rolling_series
 from hoopgen.derive.rolling import apex, friction_limit, neighbour
-from hoopgen.derive.scenes import sinking, validity
+from hoopgen.derive.scenes import premises, sinking, validity
 from hoopgen.derive.symbolic import error_terms, rounding
 
 from .latex import number, show
@@ -50,6 +50,9 @@ def constants() -> dict[str, str]:
         "renewal": tighter_bounds.RENEWAL,
         "law_roundings": contact_frames.LAW_ROUNDINGS,
         "stretch": second_order.STRETCH,
+        "largest_flight": premises.LARGEST,
+        "narrowest": premises.NARROWEST,
+        "widest": premises.WIDEST,
         "least": propagation.ERROR_FLOOR,
         "far": bounding_boxes.RELATIVE_SLACK,
         "beyond": polynomial.CEILING_BOX_FACTOR,

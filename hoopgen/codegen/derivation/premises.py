@@ -231,6 +231,12 @@ PREMISES: dict[str, Premise] = {
         ),
         proved=True,
     ),
+    "premises": Premise(
+        LEMMA,
+        "premises of the proved bounds",
+        _kernels("common.premises"),
+        proved=True,
+    ),
     "products": Premise(
         LEMMA,
         "bounds through the product of several contacts",
