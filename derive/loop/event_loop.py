@@ -12,7 +12,7 @@ that need bounds from this second pass. The path is the same.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence, Set
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from itertools import groupby
 
 from ..events.search import Parts, given, proposed
@@ -356,15 +356,24 @@ def _proved_errors(
     if end_planes:
         yield If("ends", tuple(_timed(common, common["carry_end"])))
     yield Call(common["tightens"])
-    law = contacts[0].law
-    yield If("carries", tuple(_timed(common, law["carry"])), usual=True)
-    yield If("tightens", tuple(_timed(common, law["tighten"])), rare=True)
+    if _is_one_law(contacts):
+        yield from _carried(common, contacts[0], {})
     yield from _laws(common, contacts)
     for kind in kinds:
         yield from kind.evaluate(common, "place")
     # Bounds at an end are computed only where they are wanted, and so flag nothing.
     flagged = (Call(common["unbounded"]), Call(common["without_bounds"]))
     yield If("touches", (*flagged, Call(common["touched"])))
+
+
+def _carried(common: Parts, surface: LoopSurface, its: Mapping[str, str]) -> Iterator[Node]:
+    """Carry bounds on errors over a contact with a surface that has parameters of its own."""
+    carry, tighten = (
+        tuple(given_as(node, its) for node in _timed(common, surface.law[part]))
+        for part in ("carry", "tighten")
+    )
+    yield If("carries", carry, usual=True)
+    yield If("tightens", tighten, rare=True)
 
 
 def _timed(common: Parts, carry: Kernel) -> Iterator[Call]:
@@ -381,16 +390,18 @@ def _counted(common: Parts, surface: LoopSurface, fields: Set[str]) -> list[Call
 
 def _laws(common: Parts, contacts: Sequence[LoopSurface]) -> Iterator[Node]:
     """Apply the law of the body to the motion and its errors."""
-    groups = by_law(contacts)
-    if len(groups) == 1 and not any(surface.law_sizes for surface in contacts):
+    if _is_one_law(contacts):
         yield If("touches", tuple(_law(common, contacts[0])), usual=True)
         return
-    for surfaces in groups:
+
+    def nodes(surface: LoopSurface, its: Mapping[str, str]) -> tuple[Node, ...]:
+        carried = _carried(common, surface, its) if "carry_end" in common else ()
+        return (*carried, *(given_as(node, its) for node in _law(common, surface)))
+
+    for surfaces in by_law(contacts):
         law = surfaces[0].law
         if "taken" not in law:
-            yield from for_each(
-                surfaces, lambda s, index: on_surface(common, index, *_law(common, s))
-            )
+            yield from for_each(surfaces, lambda s, index: on_surface(common, index, *nodes(s, {})))
             continue
         # Parameters that differ are loaded first: a contact then costs the same on every body.
         mine, its = (
@@ -398,7 +409,12 @@ def _laws(common: Parts, contacts: Sequence[LoopSurface]) -> Iterator[Node]:
             parameter_variables(law["taken"], law["impact"].name),
         )
         yield from take_parameters(common, surfaces, law["taken"], mine, its)
-        yield If(mine, tuple(given_as(node, its) for node in _law(common, surfaces[0])))
+        yield If(mine, nodes(surfaces[0], its))
+
+
+def _is_one_law(contacts: Sequence[LoopSurface]) -> bool:
+    """Return whether all bodies have the same law with the same parameters."""
+    return len(by_law(contacts)) == 1 and not any(surface.law_sizes for surface in contacts)
 
 
 def _law(common: Parts, surface: LoopSurface) -> Iterator[Call]:

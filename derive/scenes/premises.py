@@ -24,7 +24,6 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..contact.no_slip import NoSlip
 from ..surfaces import Plane, Ring
 from ..symbolic.conditionals import AtMost, absolute, all_of, barrier
 from ..symbolic.error_terms import contacts
@@ -62,9 +61,6 @@ def premises(scene: Scene) -> dict[str, sp.Basic] | None:
     rings = [surface for surface in scene.surfaces if isinstance(surface, Ring)]
     if not (scene.proves_errors and floors and rings):
         return None
-    (law,) = scene.laws
-    if not isinstance(law, NoSlip):
-        raise TypeError(f"expected a law without slip, got {law.name}")
     ball, gravity = scene.ball, scene.flight.strength
     around = barrier(
         sp.Add(*map(absolute, POSITION))
@@ -75,7 +71,7 @@ def premises(scene: Scene) -> dict[str, sp.Basic] | None:
     energy = barrier(sp.Add(*(v**2 for v in VELOCITY)) + spinning)
     height = barrier(energy / gravity + 2 * around)
     size = barrier(around + barrier(2 * contacts + 12) * height)
-    conditions = [AtMost(law.restitution, 1)]
+    conditions = [AtMost(law.restitution_at(sp.Integer(0)), 1) for law in scene.laws]
     for ring in rings:
         reach, radius = barrier(ring.reach), ring.ring_radius
         conditions += [

@@ -191,8 +191,7 @@ class Scene:
             and isinstance(self.flight, Parabola)
             and self.flight.upright
             and all(isinstance(s, Ring | Plane) for s in (*self.surfaces, *self.end_planes))
-            and len(self.laws) == 1
-            and isinstance(self.laws[0], NoSlip)
+            and all(isinstance(law, NoSlip) for law in self.laws)
         )
 
     @property
