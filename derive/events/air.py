@@ -268,6 +268,11 @@ class AirBoxRootFinder(BoxRootFinder):
         return {}
 
     @property
+    def approach_test(self) -> dict[str, sp.Basic]:
+        """No test besides that of the windows."""
+        return {}
+
+    @property
     def lost(self) -> sp.Expr:
         """Positive if errors come near to the inflation of the windows."""
         return piece_lost(self.box, self.flight)

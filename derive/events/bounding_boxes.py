@@ -26,6 +26,13 @@ if Σ d² > (1 + W) R_B². Two boxes, of the first and the second half of the fl
 over the body more tightly. In each half, q long and beginning with the velocity v, the ball moves
 by v q + a q²/2; its distance from the chord, against a, is at most a q²/8. So the centre of the box
 is a q²/16 off that of the chord, and its half size is |v q + a q²/2| / 2 + |a| q²/16.
+
+A plate is large across one axis, and the planes of its two faces there are test enough, if a flight
+has no acceleration along that axis. The ball's coordinate is then between those at the start and
+at the end of the flight, and at a contact within R_B of the plate's. So a flight is apart from the
+plate if the smaller of its ends exceeds the upper face by more than R_B + s, or the larger one is
+as far below the lower face. Here s is the error of the path, p + v T + W X with X the size of the
+flight, of which the roundings of all of this are a tiny part.
 """
 
 from __future__ import annotations
@@ -35,10 +42,11 @@ from collections.abc import Sequence
 import sympy as sp
 
 from ..motion.air import AirFlight
-from ..motion.flight import has_sign
+from ..motion.flight import Flight, has_sign
 from ..motion.parabola import Parabola
 from ..surfaces import Box, Surface
 from ..symbolic.conditionals import (
+    Boolean,
     IfLess,
     Less,
     Not,
@@ -68,6 +76,9 @@ LATER_BOX_CENTRES = sp.symbols("later_middle_x later_middle_y later_middle_z", r
 """Centre and half sizes of the box of the second half of a flight."""
 LATER_HALF_SIZES = sp.symbols("later_reach_x later_reach_y later_reach_z", real=True)
 """Centre and half sizes of the box of the second half of a flight."""
+
+HALVES_NEAR = (Boolean("first_near"), Boolean("later_near"))
+"""True if the first, and the second, half of a flight may reach a surface."""
 
 NEGATED_MINIMA = sp.symbols("least_x least_y least_z", real=True)
 """The largest of -c, of c, and of (1 + W) h in a group."""
@@ -121,7 +132,7 @@ def _turned(a: sp.Expr, v: sp.Expr, apex: sp.Expr, place: sp.Expr) -> sp.Expr:
     return IfLess(0, a, rising, IfLess(a, 0, falling, place))
 
 
-def path_slack(flight: Parabola) -> sp.Expr:
+def path_slack(flight: Flight) -> sp.Expr:
     """Return a bound on the errors of the path.
 
     It is infinite if the earliest arrival may be later than the horizon.
@@ -183,16 +194,37 @@ def _apart(
 
 
 def may_reach_box(box: Box) -> dict[str, sp.Basic]:
-    """Return the test whether a flight may reach a box, with round edges and corners."""
-    apart = []
+    """Return the tests whether a flight, and each half of it, may reach a box with round edges."""
+    near = []
     for middles, reaches in ((BOX_CENTRES, HALF_SIZES), (LATER_BOX_CENTRES, LATER_HALF_SIZES)):
         square: sp.Expr = sp.Integer(0)
         for low, high, m, r in zip(box.low, box.high, middles, reaches, strict=True):
             side = barrier((1 + RELATIVE_SLACK) * barrier((high - low) / 2))
             between = barrier(absolute(barrier(barrier((low + high) / 2) - m)) - barrier(side + r))
             square = barrier(square + barrier(maximum(between, 0)) ** 2)
-        apart.append(Less((1 + RELATIVE_SLACK) * barrier(box.radius**2), square))
-    return {"near": Not(all_of(*apart))}
+        near.append(Not(Less((1 + RELATIVE_SLACK) * barrier(box.radius**2), square)))
+    halves = zip(HALVES_NEAR, near, strict=True)
+    return {"near": any_of(*near)} | {half.name: test for half, test in halves}
+
+
+def may_reach_plate(box: Box, axis: int, flight: Flight) -> dict[str, sp.Basic]:
+    """Return the test whether a flight may reach the planes of a plate's faces.
+
+    Parameters
+    ----------
+    box
+        The plate.
+    axis
+        The axis across the faces, along which the flight has no acceleration.
+    flight
+        The motion between contacts.
+    """
+    place, low, high = box.faces[axis]
+    there = barrier(place + VELOCITY[axis] * horizon)
+    slack = path_slack(flight)
+    above = barrier(minimum(place, there)) - barrier(high + box.radius)
+    below = barrier(low - box.radius) - barrier(maximum(place, there))
+    return {"near": all_of(*(Not(Less(slack, barrier(away))) for away in (above, below)))}
 
 
 def body_box(surface: Surface) -> dict[str, sp.Expr]:

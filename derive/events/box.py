@@ -16,11 +16,12 @@ from ..surfaces import Box
 from ..symbolic.conditionals import IfLess, absolute, barrier, minimum
 from ..symbolic.rounding import ROUNDING_SLACK, Rounded, rounding
 from ..symbolic.symbols import POSITION, VELOCITY, t
-from .bounding_boxes import may_reach_box
+from .bounding_boxes import may_reach_box, may_reach_plate
 from .box_windows import RELATIVE_INFLATION, lost, windows
 from .event_polynomials import Window, ceiling, horizon, time_rounding
 from .polynomial import CEILING_BOX_FACTOR
 from .root_finder import RootFinder
+from .separation import may_approach
 
 EXCESS = sp.symbols("ex ey ez", real=True)
 """Distance of each coordinate beyond a face."""
@@ -57,8 +58,22 @@ class BoxRootFinder(RootFinder):
 
     @property
     def reach_test(self) -> dict[str, sp.Basic]:
-        """Compare the boxes of both halves of the flight with the rounded box."""
-        return may_reach_box(self.box)
+        """Compare the flight with the planes of a plate, or its halves with the rounded box."""
+        axis = self._plate_axis
+        if axis is None:
+            return may_reach_box(self.box)
+        return may_reach_plate(self.box, axis, self.flight)
+
+    @property
+    def approach_test(self) -> dict[str, sp.Basic]:
+        """Test whether the ball moves away from the box in all that comes near it."""
+        return may_approach(self.box, self.flight, self._plate_axis is None)
+
+    @property
+    def _plate_axis(self) -> int | None:
+        """The axis across the faces of a plate, if the flight has no acceleration along it."""
+        axis = self.box.plate_axis
+        return None if axis is None or self.flight.acceleration[axis] != 0 else axis
 
     @property
     def lost(self) -> sp.Expr:

@@ -175,6 +175,11 @@ class ObliqueBoxRootFinder(_Turned):
         """Compare the boxes of both halves of the flight with one that the turned box is in."""
         return may_reach_in_halves(self.box)
 
+    @property
+    def approach_test(self) -> dict[str, sp.Basic]:
+        """No test besides that."""
+        return {}
+
     def narrowed(self, width: sp.Expr) -> sp.Expr:
         """Return a shorter window where the gap opens more and more, as after a roll over an edge.
 

@@ -163,6 +163,11 @@ class RootFinder(ABC):
         """Test whether the boxes of a flight may meet the surface's; empty if there is none."""
         return {}
 
+    @property
+    def approach_test(self) -> dict[str, sp.Basic]:
+        """Test whether a flight that comes near may come to the surface; empty if there is none."""
+        return {}
+
     @abstractmethod
     def curvature(self, width: sp.Expr) -> sp.Expr:
         """Return M with -F'' <= M on [t, t + width]."""

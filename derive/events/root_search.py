@@ -110,6 +110,11 @@ class RootSearch(Search):
         return self.root_finder.reach_test
 
     @property
+    def approach_test(self) -> dict[str, sp.Basic]:
+        """The root finder's test."""
+        return self.root_finder.approach_test
+
+    @property
     def single(self) -> frozenset[str]:
         """The parts of the search that are computed in single precision."""
         tested = {"open"} if self.root_finder.near_in_single else set()

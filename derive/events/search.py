@@ -83,6 +83,11 @@ class Search(ABC):
         return {}
 
     @property
+    def approach_test(self) -> dict[str, sp.Basic]:
+        """Test whether a flight that comes near may come to the surface; empty if there is none."""
+        return {}
+
+    @property
     def apart(self) -> tuple[sp.Basic, ...]:
         """Conditions, each of which implies that a flight does not reach the surface."""
         return ()

@@ -40,6 +40,7 @@ _BOXES = (
     *bounding_boxes.HALF_SIZES,
     *bounding_boxes.LATER_BOX_CENTRES,
     *bounding_boxes.LATER_HALF_SIZES,
+    *bounding_boxes.HALVES_NEAR,
     *bounding_boxes.NEGATED_MINIMA,
     *bounding_boxes.MAXIMA,
     *bounding_boxes.MAX_HALF_SIZES,

@@ -25,6 +25,7 @@ from .variation import contact_variation
 
 _REACH = "Whether a flight may reach the box of a surface at all."
 
+_APPROACH = "Whether a flight that comes near a surface may come to it."
 _DISJOINT = "disjoint boxes"
 
 
@@ -134,6 +135,8 @@ def one_surface_kernels(
                 formulas |= _groups(surface)
     elif search.reach_test:
         formulas["near"] = (search.reach_test, _REACH, _DISJOINT)
+        if search.approach_test:
+            formulas["approaches"] = (search.approach_test, _APPROACH, "a separating direction")
     carried = {"carry_root", "carry_normal", "tangents"} if scene.single_errors else set()
     single = search.single | carried
     kernels = {

@@ -13,8 +13,10 @@ that need bounds from this second pass. The path is the same.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
+from dataclasses import replace
 from itertools import groupby
 
+from ..events.predicates import KERNELS
 from ..events.search import Parts, given, proposed
 from ..ir.event_tree import Call, If, Node, Value, given_as
 from ..ir.kernel import Kernel
@@ -233,7 +235,9 @@ def _on_any(common: Parts, kind: SurfaceKind) -> Iterator[Node]:
     """Propose the first arrival on any surface of a kind."""
     if "near" in kind.first.parts:
         yield Call(common["horizon"], {"t": "when"}, {"horizon": "until"})
-        yield Call(common["swept" if kind.several else "half_flight_boxes"], {"horizon": "until"})
+        boxes = common["swept" if kind.several else "half_flight_boxes"]
+        if set(boxes.output_names) & set(map(str, kind.first.parts["near"].arguments)):
+            yield Call(boxes, {"horizon": "until"})
     yield from for_each(kind.contacts, lambda s, index: _arriving(common, s, index), {})
 
 
@@ -260,7 +264,11 @@ def _arriving(common: Parts, surface: LoopSurface, index: Value) -> Iterator[Nod
     if "near" not in surface.parts:
         yield from nodes
         return
-    yield Call(surface.parts["near"], {}, {"near": "reachable"})
+    yield replace(given(surface.parts["near"], horizon="until"), outputs={"near": "reachable"})
+    if "approaches" in surface.parts:
+        left = Call(KERNELS["left"], {"index": index})
+        test = given(surface.parts["approaches"], horizon="until")
+        yield If("reachable", (left, replace(test, outputs={"near": "reachable"})))
     if "in_contact" in common:
         yield Call(common["reachable_in_flight"])
     yield If("reachable", tuple(nodes))

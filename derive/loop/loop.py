@@ -11,6 +11,7 @@ from functools import cached_property
 
 from ..ir.event_tree import Call, ForEach, Node, check, live_before, needed, walk, without, writes
 from ..ir.kernel import Kind as VariableKind
+from ..ir.kernel import symbols_in
 from ..state.fields import Field
 
 REVIEW = "review"
@@ -59,6 +60,21 @@ class Loop:
         """The type of each field."""
         written = writes(node for stage in self.stages.values() for node in stage)
         return {field.name: written.get(field.name, "double") for field in self.fields}
+
+    @property
+    def influential(self) -> frozenset[str]:
+        """The variables of which another one depends, or what is done with a shot."""
+        found: set[str] = set()
+        for node in (node for stage in self.stages.values() for node in walk(stage)):
+            if isinstance(node, Call):
+                given = dict(zip(node.kernel.arguments, node.arguments, strict=True))
+                for output, expression in node.kernel.outputs:
+                    read = {given[symbol] for symbol in symbols_in([expression])}
+                    to = node.assigned.get(output)
+                    found |= {v for v in read if isinstance(v, str) and to not in (None, v)}
+            elif not isinstance(node, ForEach):
+                found.add(node.truth)
+        return frozenset(found)
 
     @property
     def called(self) -> frozenset[str]:

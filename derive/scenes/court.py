@@ -116,6 +116,7 @@ def _court() -> Scene:
             (front - by_name["board_thickness"], -half_width, by_name["board_bottom"]),
             (front, half_width, by_name["board_top"]),
             ball_radius,
+            plate_axis=0,
         ),
         Box(
             "bridge",

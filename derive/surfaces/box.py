@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import sympy as sp
 
@@ -38,11 +38,15 @@ class Box(Surface):
         Its corners with the smallest and the largest coordinates.
     radius
         R_B.
+    plate_axis
+        Of a plate, the axis across its large faces: 0, 1 or 2. A flight that comes near their
+        planes mostly comes near the plate. No result depends on it. None of any other box.
     """
 
     low: Point
     high: Point
     radius: sp.Expr
+    plate_axis: int | None = field(default=None, kw_only=True)
 
     @property
     def polynomial(self) -> bool:

@@ -175,6 +175,10 @@ LOOP = {
     "met": Entry(r"\text{met}", "the ball comes in at the root"),
     "searching": Entry(r"\text{searching}", "there is a window to search"),
     "reachable": Entry(r"\text{reachable}", "the flight may reach the surface"),
+    "first_near": Entry(r"\text{near}_1", "the first half of the flight may come near the surface"),
+    "later_near": Entry(
+        r"\text{near}_2", "the second half of the flight may come near the surface"
+    ),
     "since": Entry(r"t_0", "begin of a search in single precision"),
     "representable": Entry(
         r"\text{representable}", "nothing in single precision over- or underflows"

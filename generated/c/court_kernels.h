@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 7bab8060f636f901,
+   Generated from templates/c/kernels.h.j2, scene court, derivation cf814d7dac6b467f,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -4079,28 +4079,46 @@ LANES(court_backboard_advance)(V t, V end, V leaving, V margin, V rate_margin, V
 }
 
 /* Whether a flight may reach the box of a surface at all.
-   disjoint boxes. 50 operations: 10 additions, 10 subtractions, 6 multiplications, 2 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
+   disjoint boxes. 23 operations: 5 additions, 2 subtractions, 5 multiplications, 5 comparisons, 1 conjunction, 2 complements, 3 selections. */
 typedef struct {
     M near;
 } LANES(court_backboard_near_out);
 
 LANES_INLINE LANES(court_backboard_near_out)
-LANES(court_backboard_near)(V middle_x, V middle_y, V middle_z, V reach_x, V reach_y, V reach_z, V later_middle_x, V later_middle_y, V later_middle_z, V later_reach_x, V later_reach_y, V later_reach_z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5)
+LANES(court_backboard_near)(V horizon, V x, V vx, V extent, V speed, V position_error, V velocity_error, V earliest_delay, V pad, V _c0, V _c1, V _c2)
 {
-    const V _s0 = lanes_sub(lanes_abs(lanes_sub(_c1, middle_x)), lanes_add(reach_x, _c2));
-    const V _s1 = lanes_max(_s0, K(0.0));
-    const V _s2 = lanes_sub(lanes_abs(lanes_neg(middle_y)), lanes_add(reach_y, _c3));
-    const V _s3 = lanes_max(_s2, K(0.0));
-    const V _s4 = lanes_sub(lanes_abs(lanes_sub(_c4, middle_z)), lanes_add(reach_z, _c5));
-    const V _s5 = lanes_max(_s4, K(0.0));
-    const V _s6 = lanes_sub(lanes_abs(lanes_sub(_c1, later_middle_x)), lanes_add(later_reach_x, _c2));
-    const V _s7 = lanes_max(_s6, K(0.0));
-    const V _s8 = lanes_sub(lanes_abs(lanes_neg(later_middle_y)), lanes_add(later_reach_y, _c3));
-    const V _s9 = lanes_max(_s8, K(0.0));
-    const V _s10 = lanes_sub(lanes_abs(lanes_sub(_c4, later_middle_z)), lanes_add(later_reach_z, _c5));
-    const V _s11 = lanes_max(_s10, K(0.0));
-    const M _s12 = lanes_not(lanes_both(lanes_less(_c0, lanes_add(lanes_add(lanes_mul(_s1, _s1), lanes_mul(_s3, _s3)), lanes_mul(_s5, _s5))), lanes_less(_c0, lanes_add(lanes_add(lanes_mul(_s7, _s7), lanes_mul(_s9, _s9)), lanes_mul(_s11, _s11)))));
-    return (LANES(court_backboard_near_out)){ _s12 };
+    const V _s0 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(9.313225746154785e-10), lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(_c0, horizon))))));
+    const V _s1 = lanes_select(lanes_less(pad, earliest_delay), K(INFINITY), _s0);
+    const V _s2 = lanes_add(x, lanes_mul(vx, horizon));
+    return (LANES(court_backboard_near_out)){ lanes_both(lanes_not(lanes_less(_s1, lanes_sub(lanes_min(_s2, x), _c1))), lanes_not(lanes_less(_s1, lanes_sub(_c2, lanes_max(x, _s2))))) };
+}
+
+/* Whether a flight that comes near a surface may come to it.
+   a separating direction. 73 operations: 16 additions, 7 subtractions, 18 multiplications, 3 negations, 3 absolute values, 13 comparisons, 3 conjunctions, 2 disjunctions, 1 complement, 7 selections. */
+typedef struct {
+    M near;
+} LANES(court_backboard_approaches_out);
+
+LANES_INLINE LANES(court_backboard_approaches_out)
+LANES(court_backboard_approaches)(V leaving, V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V earliest_delay, V pad, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
+{
+    const V _s0 = lanes_add(_c0, x);
+    const V _s1 = lanes_neg(lanes_add(_c6, x));
+    const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s3 = lanes_sub(y, _c1);
+    const V _s4 = lanes_neg(lanes_add(_c1, y));
+    const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
+    const V _s6 = lanes_sub(z, _c3);
+    const V _s7 = lanes_sub(_c2, z);
+    const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
+    const V _s9 = lanes_add(lanes_add(lanes_abs(_s2), lanes_abs(_s5)), lanes_abs(_s8));
+    const V _s10 = lanes_add(position_error, lanes_mul(K(9.313225746154785e-10), lanes_add(extent, _s9)));
+    const M _s11 = lanes_both(lanes_either(lanes_at_most(K(1.0), leaving), lanes_less(lanes_add(_c5, lanes_mul(K(4.0), lanes_mul(_s10, _s9))), lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)))), lanes_at_most(earliest_delay, pad));
+    const V _s12 = lanes_mul(K(4.0), lanes_add(lanes_mul(velocity_error, _s9), lanes_mul(_s10, lanes_add(velocity_error, lanes_add(speed, lanes_mul(_c4, horizon))))));
+    const V _s13 = lanes_mul(lanes_mul(K(0.5), horizon), lanes_neg(lanes_mul(_c4, _s8)));
+    const M _s14 = lanes_at_most(lanes_add(lanes_sub(lanes_add(lanes_add(lanes_mul(vx, _s2), lanes_mul(vy, _s5)), lanes_mul(vz, _s8)), _s12), lanes_min(_s13, K(0.0))), K(0.0));
+    const M _s15 = lanes_either(lanes_not(lanes_both(lanes_both(_s11, lanes_at_most(position_error, lanes_mul(K(2.9802322387695312e-08), extent))), lanes_at_most(velocity_error, lanes_mul(K(2.9802322387695312e-08), speed)))), _s14);
+    return (LANES(court_backboard_approaches_out)){ _s15 };
 }
 
 /* Distance, its rate, and a bound on how fast it bends down, by the squared speed.
@@ -4660,9 +4678,9 @@ LANES(court_bridge_advance)(V t, V end, V leaving, V margin, V rate_margin, V ce
 }
 
 /* Whether a flight may reach the box of a surface at all.
-   disjoint boxes. 50 operations: 10 additions, 10 subtractions, 6 multiplications, 2 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
+   disjoint boxes. 51 operations: 10 additions, 10 subtractions, 6 multiplications, 2 negations, 6 absolute values, 8 comparisons, 1 disjunction, 2 complements, 6 selections. */
 typedef struct {
-    M near;
+    M near, first_near, later_near;
 } LANES(court_bridge_near_out);
 
 LANES_INLINE LANES(court_bridge_near_out)
@@ -4674,14 +4692,44 @@ LANES(court_bridge_near)(V middle_x, V middle_y, V middle_z, V reach_x, V reach_
     const V _s3 = lanes_max(_s2, K(0.0));
     const V _s4 = lanes_sub(lanes_abs(lanes_sub(_c4, middle_z)), lanes_add(reach_z, _c5));
     const V _s5 = lanes_max(_s4, K(0.0));
-    const V _s6 = lanes_sub(lanes_abs(lanes_sub(_c1, later_middle_x)), lanes_add(later_reach_x, _c2));
-    const V _s7 = lanes_max(_s6, K(0.0));
-    const V _s8 = lanes_sub(lanes_abs(lanes_neg(later_middle_y)), lanes_add(later_reach_y, _c3));
-    const V _s9 = lanes_max(_s8, K(0.0));
-    const V _s10 = lanes_sub(lanes_abs(lanes_sub(_c4, later_middle_z)), lanes_add(later_reach_z, _c5));
-    const V _s11 = lanes_max(_s10, K(0.0));
-    const M _s12 = lanes_not(lanes_both(lanes_less(_c0, lanes_add(lanes_add(lanes_mul(_s1, _s1), lanes_mul(_s3, _s3)), lanes_mul(_s5, _s5))), lanes_less(_c0, lanes_add(lanes_add(lanes_mul(_s7, _s7), lanes_mul(_s9, _s9)), lanes_mul(_s11, _s11)))));
-    return (LANES(court_bridge_near_out)){ _s12 };
+    const M _s6 = lanes_not(lanes_less(_c0, lanes_add(lanes_add(lanes_mul(_s1, _s1), lanes_mul(_s3, _s3)), lanes_mul(_s5, _s5))));
+    const V _s7 = lanes_sub(lanes_abs(lanes_sub(_c1, later_middle_x)), lanes_add(later_reach_x, _c2));
+    const V _s8 = lanes_max(_s7, K(0.0));
+    const V _s9 = lanes_sub(lanes_abs(lanes_neg(later_middle_y)), lanes_add(later_reach_y, _c3));
+    const V _s10 = lanes_max(_s9, K(0.0));
+    const V _s11 = lanes_sub(lanes_abs(lanes_sub(_c4, later_middle_z)), lanes_add(later_reach_z, _c5));
+    const V _s12 = lanes_max(_s11, K(0.0));
+    const M _s13 = lanes_not(lanes_less(_c0, lanes_add(lanes_add(lanes_mul(_s8, _s8), lanes_mul(_s10, _s10)), lanes_mul(_s12, _s12))));
+    return (LANES(court_bridge_near_out)){ lanes_either(_s6, _s13), _s6, _s13 };
+}
+
+/* Whether a flight that comes near a surface may come to it.
+   a separating direction. 79 operations: 17 additions, 7 subtractions, 19 multiplications, 3 negations, 3 absolute values, 14 comparisons, 5 conjunctions, 3 disjunctions, 1 complement, 7 selections. */
+typedef struct {
+    M near;
+} LANES(court_bridge_approaches_out);
+
+LANES_INLINE LANES(court_bridge_approaches_out)
+LANES(court_bridge_approaches)(V leaving, V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V earliest_delay, V pad, M first_near, M later_near, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6)
+{
+    const V _s0 = lanes_add(_c0, x);
+    const V _s1 = lanes_neg(lanes_add(_c2, x));
+    const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s3 = lanes_sub(z, _c1);
+    const V _s4 = lanes_sub(_c6, z);
+    const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
+    const V _s6 = lanes_sub(y, _c3);
+    const V _s7 = lanes_neg(lanes_add(_c3, y));
+    const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
+    const V _s9 = lanes_add(lanes_add(lanes_abs(_s2), lanes_abs(_s5)), lanes_abs(_s8));
+    const V _s10 = lanes_add(position_error, lanes_mul(K(9.313225746154785e-10), lanes_add(extent, _s9)));
+    const M _s11 = lanes_both(lanes_either(lanes_at_most(K(1.0), leaving), lanes_less(lanes_add(_c5, lanes_mul(K(4.0), lanes_mul(_s10, _s9))), lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)))), lanes_at_most(earliest_delay, pad));
+    const V _s12 = lanes_mul(K(4.0), lanes_add(lanes_mul(velocity_error, _s9), lanes_mul(_s10, lanes_add(velocity_error, lanes_add(speed, lanes_mul(_c4, horizon))))));
+    const V _s13 = lanes_sub(lanes_add(lanes_add(lanes_mul(vx, _s2), lanes_mul(vy, _s8)), lanes_mul(vz, _s5)), _s12);
+    const V _s14 = lanes_mul(lanes_mul(K(0.5), horizon), lanes_neg(lanes_mul(_c4, _s5)));
+    const V _s15 = lanes_min(_s14, K(0.0));
+    const M _s16 = lanes_either(lanes_not(lanes_both(lanes_both(_s11, lanes_at_most(position_error, lanes_mul(K(2.9802322387695312e-08), extent))), lanes_at_most(velocity_error, lanes_mul(K(2.9802322387695312e-08), speed)))), lanes_either(lanes_both(first_near, lanes_at_most(lanes_add(_s13, lanes_mul(K(0.5), _s15)), K(0.0))), lanes_both(later_near, lanes_at_most(lanes_add(_s13, _s15), K(0.0)))));
+    return (LANES(court_bridge_approaches_out)){ _s16 };
 }
 
 /* Distance, its rate, and a bound on how fast it bends down, by the squared speed.

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation 7bab8060f636f901,
+   Generated from templates/c/loop.h.j2, scene court, derivation cf814d7dac6b467f,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -612,10 +612,27 @@ LANES_INLINE size_t LOOP(leave)(LOOP(worklist) *worklist, size_t start, size_t s
         }
         if (kept < i || lanes_bits(going) != lanes_bits(rows)) {
             lanes_pack(worklist->shot + kept, going, lanes_load(worklist->shot + i));
-            EACH(KEEP, , x, y, z, vx, vy, vz, wx, wy, wz, clock, last, first, contacts, count_0)
-            EACH(KEEP, , count_1, count_2, held, mode, circled, rolls, slip_left, through)
+            EACH(KEEP, , x, y, z, vx, vy, vz, wx, wy, wz, clock, last, contacts, held, mode)
+            EACH(KEEP, , circled, through)
             BOUNDS(EACH(KEEP, , dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, clock_error, assured, grip_lost))
-            BOUNDS(EACH(KEEP, , last_grip_deficit, last_grip_deficit_rate, last_grip_clock, uncertain))
+            BOUNDS(EACH(KEEP, , last_grip_deficit, last_grip_deficit_rate, last_grip_clock))
+            if (job->results->first) {
+                EACH(KEEP, , first)
+            }
+            if (job->results->counts) {
+                EACH(KEEP, , count_0, count_1, count_2)
+            }
+            if (job->results->rolls) {
+                EACH(KEEP, , rolls)
+            }
+            if (job->results->slip_left) {
+                EACH(KEEP, , slip_left)
+#if BOUNDED
+            }
+            if (job->results->uncertain) {
+                EACH(KEEP, , uncertain)
+#endif
+            }
             if (job->varying)
                 for (int p = 0; p < COURT_PARAMETERS; p++)
                     lanes_pack(worklist->parameters.columns[p] + kept, going, lanes_load(worklist->parameters.columns[p] + i));
@@ -680,19 +697,18 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         const V _s93 = lanes_mul(_s92, _s92);
         const V _s99 = lanes_div(_s76, _s92);
         const V _s105 = lanes_div(K(1.0), _s92);
-        const V _s122 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s126 = lanes_mul(K(0.5), p_board_bottom);
-        const V _s127 = lanes_mul(K(0.5), p_board_top);
-        const V _s128 = lanes_add(_s126, _s127);
-        const V _s132 = lanes_add(p_ball_radius, _s127);
-        const V _s133 = lanes_sub(_s132, _s126);
-        const V _s134 = lanes_add(p_ball_radius, p_board_half_width);
-        const V _s135 = lanes_min(_s134, _s38);
-        const V _s136 = lanes_min(_s133, _s135);
-        const V _s137 = lanes_mul(K(6.103515625e-05), _s136);
-        const V _s144 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s136));
-        const V _s145 = lanes_mul(K(1.25), _s65);
-        const V _s148 = lanes_max(_s38, _s134);
+        const V _s121 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s123 = lanes_mul(K(0.5), p_board_top);
+        const V _s124 = lanes_add(p_ball_radius, _s123);
+        const V _s125 = lanes_mul(K(0.5), p_board_bottom);
+        const V _s126 = lanes_sub(_s124, _s125);
+        const V _s127 = lanes_add(p_ball_radius, p_board_half_width);
+        const V _s128 = lanes_min(_s127, _s38);
+        const V _s129 = lanes_min(_s126, _s128);
+        const V _s130 = lanes_mul(K(6.103515625e-05), _s129);
+        const V _s137 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s129));
+        const V _s138 = lanes_mul(K(1.25), _s65);
+        const V _s142 = lanes_max(_s38, _s127);
         const V _s178 = lanes_mul(K(0.5), p_bridge_depth);
         const V _s181 = lanes_add(p_ball_radius, _s178);
         const V _s182 = lanes_add(p_ball_radius, p_bridge_half_width);
@@ -760,89 +776,88 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         FIX(49, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s45), _s77));
         FIX(50, lanes_mul(K(5.00030517578125), _s45)); FIX(51, lanes_mul(K(6.0), p_gravity));
         FIX(52, lanes_mul(K(9.094947017729282e-13), _s77)); FIX(53, _s92);
-        FIX(54, lanes_abs(K(0.0))); FIX(55, lanes_mul(K(0.0625), p_gravity));
-        FIX(56, lanes_mul(K(1.0000000009313226), _s122));
-        FIX(57, lanes_mul(K(1.0000000009313226), _s35));
-        FIX(58, lanes_mul(K(1.0000000009313226), p_board_half_width)); FIX(59, _s128);
-        FIX(60, lanes_mul(K(1.0000000009313226), lanes_sub(_s127, _s126))); FIX(61, _s127);
-        FIX(62, _s126); FIX(63, _s136); FIX(64, lanes_add(_s38, _s137)); FIX(65, _s36);
-        FIX(66, lanes_add(_s134, _s137)); FIX(67, lanes_sub(lanes_add(_s132, _s137), _s126));
-        FIX(68, lanes_mul(_s145, _s144)); FIX(69, lanes_abs(_s128));
-        FIX(70, lanes_max(_s148, _s133)); FIX(71, lanes_mul(K(1.52587890625e-05), _s136));
-        FIX(72, lanes_mul(K(5.55653613398821e-16), _s122)); FIX(73, _s144);
-        FIX(74, lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        FIX(75, lanes_mul(K(2.001953125), _s144));
-        FIX(76, lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
-        FIX(77, lanes_add(lanes_mul(K(2.220446049250313e-16), _s11), lanes_mul(K(2.220446049250313e-16), _s12)));
-        FIX(78, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s144, _s144)));
-        FIX(79, lanes_mul(K(6.667843360785852e-15), _s144));
-        FIX(80, lanes_mul(K(12.01171875), _s144));
-        FIX(81, lanes_mul(K(2.667137344314341e-15), _s144));
-        FIX(82, lanes_mul(K(6.005859375), _s144)); FIX(83, _s122); FIX(84, _s65);
-        FIX(85, lanes_mul(K(1.0000000009313226), lanes_sub(_s40, _s39)));
-        FIX(86, lanes_mul(K(1.0000000009313226), p_bridge_half_width));
-        FIX(87, lanes_sub(p_wire_radius, _s178)); FIX(88, lanes_mul(K(1.0000000009313226), _s178));
-        FIX(89, _s178); FIX(90, _s184); FIX(91, lanes_sub(lanes_add(_s43, _s185), _s39));
-        FIX(92, _s41); FIX(93, lanes_add(_s182, _s185)); FIX(94, lanes_add(_s181, _s185));
-        FIX(95, lanes_mul(_s145, _s191)); FIX(96, lanes_abs(lanes_sub(_s178, p_wire_radius)));
-        FIX(97, lanes_max(_s195, _s181)); FIX(98, lanes_mul(K(1.52587890625e-05), _s184));
-        FIX(99, _s191); FIX(100, lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
-        FIX(101, lanes_mul(K(2.001953125), _s191));
-        FIX(102, lanes_add(lanes_mul(K(1.1102230246251565e-16), p_ring_radius), lanes_mul(K(1.1102230246251565e-16), p_board_distance)));
-        FIX(103, lanes_add(lanes_mul(K(5.551115123125783e-16), p_wire_radius), lanes_mul(K(2.220446049250313e-16), p_bridge_depth)));
-        FIX(104, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s191, _s191)));
-        FIX(105, lanes_mul(K(6.667843360785852e-15), _s191));
-        FIX(106, lanes_mul(K(12.01171875), _s191));
-        FIX(107, lanes_mul(K(2.667137344314341e-15), _s191));
-        FIX(108, lanes_mul(K(6.005859375), _s191)); FIX(109, lanes_div(K(1.0), _s45));
-        FIX(110, lanes_mul(K(0.5), p_ball_radius)); FIX(111, _s219);
-        FIX(112, lanes_div(K(1.0), p_ball_radius)); FIX(113, _s222); FIX(114, lanes_neg(_s222));
-        FIX(115, lanes_mul(K(1.4551915228366852e-11), p_ball_radius)); FIX(116, _s232);
-        FIX(117, lanes_neg(_s232)); FIX(118, _s235); FIX(119, lanes_neg(_s235)); FIX(120, _s240);
-        FIX(121, lanes_neg(_s240)); FIX(122, _s245); FIX(123, lanes_neg(_s245)); FIX(124, _s248);
-        FIX(125, lanes_neg(_s248)); FIX(126, _s255); FIX(127, lanes_neg(_s255)); FIX(128, _s218);
-        FIX(129, lanes_mul(p_gravity, _s218)); FIX(130, lanes_mul(K(0.015625), p_gravity));
-        FIX(131, lanes_mul(p_backboard_friction, p_backboard_friction));
-        FIX(132, lanes_mul(p_bridge_friction, p_bridge_friction));
-        FIX(133, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
-        FIX(134, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(135, _s45);
-        FIX(136, p_bridge_depth); FIX(137, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
-        FIX(138, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
-        FIX(139, lanes_mul(p_ring_radius, _s218)); FIX(140, _s39);
-        FIX(141, lanes_mul(K(0.3333333333333333), p_ring_radius));
-        FIX(142, lanes_mul(K(0.25), p_ring_radius)); FIX(143, lanes_mul(K(0.2), p_ring_radius));
-        FIX(144, lanes_mul(K(0.16666666666666666), p_ring_radius));
-        FIX(145, lanes_mul(K(0.14285714285714285), p_ring_radius));
-        FIX(146, lanes_mul(K(0.125), p_ring_radius));
-        FIX(147, lanes_mul(K(0.1111111111111111), p_ring_radius));
-        FIX(148, lanes_mul(K(0.1), p_ring_radius));
-        FIX(149, lanes_mul(K(0.09090909090909091), p_ring_radius));
-        FIX(150, lanes_mul(K(0.08333333333333333), p_ring_radius));
-        FIX(151, lanes_mul(p_gravity, lanes_sub(K(3.0), lanes_mul(K(2.0), _s219))));
-        FIX(152, lanes_mul(K(3.0), p_ring_radius)); FIX(153, lanes_mul(K(6.0), p_ring_radius));
-        FIX(154, lanes_mul(_s59, _s219)); FIX(155, lanes_mul(p_ring_friction, p_ring_friction));
-        FIX(156, lanes_sqrt(lanes_add(lanes_mul(_s304, _s304), lanes_mul(_s308, _s308))));
-        FIX(157, lanes_sqrt(lanes_add(lanes_mul(_s314, _s314), lanes_mul(_s318, _s318))));
-        FIX(158, lanes_mul(K(0.000244140625), _s45)); FIX(159, lanes_mul(K(0.00390625), p_gravity));
-        FIX(160, lanes_mul(lanes_mul(K(0.000244140625), _s325), _s45));
-        FIX(161, lanes_mul(K(3.0), p_gravity));
-        FIX(162, lanes_mul(K(2.0), lanes_mul(K(3.0), _s325)));
-        FIX(163, lanes_mul(K(0.0078125), p_gravity)); FIX(164, lanes_max(K(0.0), p_gravity));
-        FIX(165, lanes_mul(K(8.0), _s57)); FIX(166, lanes_add(lanes_add(_s341, _s11), _s12));
-        FIX(167, lanes_div(K(1.0), lanes_min(_s345, _s45))); FIX(168, p_restitution_speed);
-        FIX(169, _s352); FIX(170, lanes_mul(_s352, _s352));
-        FIX(171, lanes_mul(p_ball_radius, p_inertia));
-        FIX(172, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        FIX(173, lanes_mul(K(1.1920928955078125e-07), p_ball_radius)); FIX(174, p_ring_restitution);
-        FIX(175, _s360); FIX(176, lanes_mul(_s360, _s360));
-        FIX(177, lanes_mul(p_ring_friction, _s362)); FIX(178, lanes_mul(_s362, _s360));
-        FIX(179, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        FIX(180, lanes_mul(_s219, _s360)); FIX(181, p_backboard_restitution); FIX(182, _s369);
-        FIX(183, lanes_mul(_s369, _s369)); FIX(184, lanes_mul(p_backboard_friction, _s371));
-        FIX(185, lanes_mul(_s371, _s369)); FIX(186, lanes_mul(_s219, _s369));
-        FIX(187, p_bridge_restitution); FIX(188, _s376); FIX(189, lanes_mul(_s376, _s376));
-        FIX(190, lanes_mul(p_bridge_friction, _s378)); FIX(191, lanes_mul(_s378, _s376));
-        FIX(192, lanes_mul(_s219, _s376));
+        FIX(54, lanes_sub(p_ball_radius, p_board_distance));
+        FIX(55, lanes_neg(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_thickness)));
+        FIX(56, _s121); FIX(57, _s123); FIX(58, _s125); FIX(59, _s129);
+        FIX(60, lanes_add(_s38, _s130)); FIX(61, _s36); FIX(62, lanes_add(_s127, _s130));
+        FIX(63, lanes_sub(lanes_add(_s124, _s130), _s125)); FIX(64, lanes_mul(_s138, _s137));
+        FIX(65, lanes_abs(lanes_add(_s125, _s123))); FIX(66, lanes_max(_s142, _s126));
+        FIX(67, lanes_mul(K(1.52587890625e-05), _s129));
+        FIX(68, lanes_mul(K(5.55653613398821e-16), _s121)); FIX(69, _s137);
+        FIX(70, lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
+        FIX(71, lanes_mul(K(2.001953125), _s137));
+        FIX(72, lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
+        FIX(73, lanes_add(lanes_mul(K(2.220446049250313e-16), _s11), lanes_mul(K(2.220446049250313e-16), _s12)));
+        FIX(74, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s137, _s137)));
+        FIX(75, lanes_mul(K(6.667843360785852e-15), _s137));
+        FIX(76, lanes_mul(K(12.01171875), _s137));
+        FIX(77, lanes_mul(K(2.667137344314341e-15), _s137));
+        FIX(78, lanes_mul(K(6.005859375), _s137)); FIX(79, _s65); FIX(80, lanes_abs(K(0.0)));
+        FIX(81, lanes_mul(K(0.0625), p_gravity)); FIX(82, lanes_mul(K(1.0000000009313226), _s121));
+        FIX(83, lanes_mul(K(1.0000000009313226), lanes_sub(_s40, _s39)));
+        FIX(84, lanes_mul(K(1.0000000009313226), p_bridge_half_width));
+        FIX(85, lanes_sub(p_wire_radius, _s178)); FIX(86, lanes_mul(K(1.0000000009313226), _s178));
+        FIX(87, _s178); FIX(88, _s184); FIX(89, lanes_sub(lanes_add(_s43, _s185), _s39));
+        FIX(90, _s41); FIX(91, lanes_add(_s182, _s185)); FIX(92, lanes_add(_s181, _s185));
+        FIX(93, lanes_mul(_s138, _s191)); FIX(94, lanes_abs(lanes_sub(_s178, p_wire_radius)));
+        FIX(95, lanes_max(_s195, _s181)); FIX(96, lanes_mul(K(1.52587890625e-05), _s184));
+        FIX(97, _s191); FIX(98, lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
+        FIX(99, lanes_mul(K(2.001953125), _s191));
+        FIX(100, lanes_add(lanes_mul(K(1.1102230246251565e-16), p_ring_radius), lanes_mul(K(1.1102230246251565e-16), p_board_distance)));
+        FIX(101, lanes_add(lanes_mul(K(5.551115123125783e-16), p_wire_radius), lanes_mul(K(2.220446049250313e-16), p_bridge_depth)));
+        FIX(102, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s191, _s191)));
+        FIX(103, lanes_mul(K(6.667843360785852e-15), _s191));
+        FIX(104, lanes_mul(K(12.01171875), _s191));
+        FIX(105, lanes_mul(K(2.667137344314341e-15), _s191));
+        FIX(106, lanes_mul(K(6.005859375), _s191)); FIX(107, lanes_div(K(1.0), _s45));
+        FIX(108, lanes_mul(K(0.5), p_ball_radius)); FIX(109, _s219);
+        FIX(110, lanes_div(K(1.0), p_ball_radius)); FIX(111, _s222); FIX(112, lanes_neg(_s222));
+        FIX(113, lanes_mul(K(1.4551915228366852e-11), p_ball_radius)); FIX(114, _s232);
+        FIX(115, lanes_neg(_s232)); FIX(116, _s235); FIX(117, lanes_neg(_s235)); FIX(118, _s240);
+        FIX(119, lanes_neg(_s240)); FIX(120, _s245); FIX(121, lanes_neg(_s245)); FIX(122, _s248);
+        FIX(123, lanes_neg(_s248)); FIX(124, _s255); FIX(125, lanes_neg(_s255)); FIX(126, _s218);
+        FIX(127, lanes_mul(p_gravity, _s218)); FIX(128, lanes_mul(K(0.015625), p_gravity));
+        FIX(129, lanes_mul(p_backboard_friction, p_backboard_friction));
+        FIX(130, lanes_mul(p_bridge_friction, p_bridge_friction));
+        FIX(131, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
+        FIX(132, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(133, _s45);
+        FIX(134, p_bridge_depth); FIX(135, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
+        FIX(136, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
+        FIX(137, lanes_mul(p_ring_radius, _s218)); FIX(138, _s39);
+        FIX(139, lanes_mul(K(0.3333333333333333), p_ring_radius));
+        FIX(140, lanes_mul(K(0.25), p_ring_radius)); FIX(141, lanes_mul(K(0.2), p_ring_radius));
+        FIX(142, lanes_mul(K(0.16666666666666666), p_ring_radius));
+        FIX(143, lanes_mul(K(0.14285714285714285), p_ring_radius));
+        FIX(144, lanes_mul(K(0.125), p_ring_radius));
+        FIX(145, lanes_mul(K(0.1111111111111111), p_ring_radius));
+        FIX(146, lanes_mul(K(0.1), p_ring_radius));
+        FIX(147, lanes_mul(K(0.09090909090909091), p_ring_radius));
+        FIX(148, lanes_mul(K(0.08333333333333333), p_ring_radius));
+        FIX(149, lanes_mul(p_gravity, lanes_sub(K(3.0), lanes_mul(K(2.0), _s219))));
+        FIX(150, lanes_mul(K(3.0), p_ring_radius)); FIX(151, lanes_mul(K(6.0), p_ring_radius));
+        FIX(152, lanes_mul(_s59, _s219)); FIX(153, lanes_mul(p_ring_friction, p_ring_friction));
+        FIX(154, lanes_sqrt(lanes_add(lanes_mul(_s304, _s304), lanes_mul(_s308, _s308))));
+        FIX(155, lanes_sqrt(lanes_add(lanes_mul(_s314, _s314), lanes_mul(_s318, _s318))));
+        FIX(156, lanes_mul(K(0.000244140625), _s45)); FIX(157, lanes_mul(K(0.00390625), p_gravity));
+        FIX(158, lanes_mul(lanes_mul(K(0.000244140625), _s325), _s45));
+        FIX(159, lanes_mul(K(3.0), p_gravity));
+        FIX(160, lanes_mul(K(2.0), lanes_mul(K(3.0), _s325)));
+        FIX(161, lanes_mul(K(0.0078125), p_gravity)); FIX(162, lanes_max(K(0.0), p_gravity));
+        FIX(163, lanes_mul(K(8.0), _s57)); FIX(164, lanes_add(lanes_add(_s341, _s11), _s12));
+        FIX(165, lanes_div(K(1.0), lanes_min(_s345, _s45))); FIX(166, p_restitution_speed);
+        FIX(167, _s352); FIX(168, lanes_mul(_s352, _s352));
+        FIX(169, lanes_mul(p_ball_radius, p_inertia));
+        FIX(170, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        FIX(171, lanes_mul(K(1.1920928955078125e-07), p_ball_radius)); FIX(172, p_ring_restitution);
+        FIX(173, _s360); FIX(174, lanes_mul(_s360, _s360));
+        FIX(175, lanes_mul(p_ring_friction, _s362)); FIX(176, lanes_mul(_s362, _s360));
+        FIX(177, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
+        FIX(178, lanes_mul(_s219, _s360)); FIX(179, p_backboard_restitution); FIX(180, _s369);
+        FIX(181, lanes_mul(_s369, _s369)); FIX(182, lanes_mul(p_backboard_friction, _s371));
+        FIX(183, lanes_mul(_s371, _s369)); FIX(184, lanes_mul(_s219, _s369));
+        FIX(185, p_bridge_restitution); FIX(186, _s376); FIX(187, lanes_mul(_s376, _s376));
+        FIX(188, lanes_mul(p_bridge_friction, _s378)); FIX(189, lanes_mul(_s378, _s376));
+        FIX(190, lanes_mul(_s219, _s376));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -1113,9 +1128,10 @@ LANES_APART void LOOP(fix_refining_rows_1)(LOOP(worklist) *worklist, size_t take
 }
 
 LANES_APART void LOOP(fix_rows_5)(LOOP(worklist) *worklist, size_t i)
-#if BOUNDED
 {
-    EACH(PARAMETER, , p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
+    EACH(PARAMETER, , p_ball_radius)
+#if BOUNDED
+    EACH(PARAMETER, , p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
         const V _s76 = lanes_mul(K(1.00006103515625), _s45);
@@ -1130,22 +1146,18 @@ LANES_APART void LOOP(fix_rows_5)(LOOP(worklist) *worklist, size_t i)
 }
 
 LANES_APART void LOOP(fix_rows_6)(LOOP(worklist) *worklist, size_t i)
-#endif
 {
-    EACH(PARAMETER, , p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width)
-    EACH(PARAMETER, , p_board_thickness, p_board_top, p_gravity)
+#endif
+    EACH(PARAMETER, , p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness)
+    EACH(PARAMETER, , p_board_top, p_gravity)
+    BOUNDS(EACH(PARAMETER, , p_ball_radius))
     {
-        const V _s35 = lanes_mul(K(0.5), p_board_thickness);
-        const V _s126 = lanes_mul(K(0.5), p_board_bottom);
-        const V _s127 = lanes_mul(K(0.5), p_board_top);
-        FIX(2, lanes_neg(lanes_add(p_board_distance, _s35))); FIX(20, lanes_div(K(1.0), p_gravity));
-        FIX(21, p_gravity); FIX(34, lanes_mul(K(0.5), p_gravity)); FIX(54, lanes_abs(K(0.0)));
-        FIX(55, lanes_mul(K(0.0625), p_gravity));
-        FIX(56, lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
-        FIX(57, lanes_mul(K(1.0000000009313226), _s35));
-        FIX(58, lanes_mul(K(1.0000000009313226), p_board_half_width));
-        FIX(59, lanes_add(_s126, _s127));
-        FIX(60, lanes_mul(K(1.0000000009313226), lanes_sub(_s127, _s126)));
+        FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
+        FIX(12, p_board_top); FIX(15, lanes_add(p_board_distance, p_board_thickness));
+        FIX(20, lanes_div(K(1.0), p_gravity)); FIX(21, p_gravity);
+        FIX(54, lanes_sub(p_ball_radius, p_board_distance));
+        FIX(55, lanes_neg(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_thickness)));
+        FIX(56, lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -1157,38 +1169,38 @@ LANES_APART void LOOP(fix_reachable_rows_1)(LOOP(worklist) *worklist, size_t i)
         const V _s35 = lanes_mul(K(0.5), p_board_thickness);
         const V _s38 = lanes_add(p_ball_radius, _s35);
         const V _s65 = lanes_abs(lanes_neg(p_gravity));
-        const V _s122 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s126 = lanes_mul(K(0.5), p_board_bottom);
-        const V _s127 = lanes_mul(K(0.5), p_board_top);
-        const V _s132 = lanes_add(p_ball_radius, _s127);
-        const V _s133 = lanes_sub(_s132, _s126);
-        const V _s134 = lanes_add(p_ball_radius, p_board_half_width);
-        const V _s135 = lanes_min(_s134, _s38);
-        const V _s136 = lanes_min(_s133, _s135);
-        const V _s137 = lanes_mul(K(6.103515625e-05), _s136);
-        const V _s144 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s136));
-        const V _s148 = lanes_max(_s38, _s134);
+        const V _s121 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s123 = lanes_mul(K(0.5), p_board_top);
+        const V _s124 = lanes_add(p_ball_radius, _s123);
+        const V _s125 = lanes_mul(K(0.5), p_board_bottom);
+        const V _s126 = lanes_sub(_s124, _s125);
+        const V _s127 = lanes_add(p_ball_radius, p_board_half_width);
+        const V _s128 = lanes_min(_s127, _s38);
+        const V _s129 = lanes_min(_s126, _s128);
+        const V _s130 = lanes_mul(K(6.103515625e-05), _s129);
+        const V _s137 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s129));
+        const V _s142 = lanes_max(_s38, _s127);
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(15, lanes_add(p_board_distance, p_board_thickness));
         FIX(20, lanes_div(K(1.0), p_gravity)); FIX(21, p_gravity);
         FIX(22, lanes_mul(K(2.0), p_gravity)); FIX(27, lanes_mul(K(0.5), _s65));
-        FIX(34, lanes_mul(K(0.5), p_gravity)); FIX(45, lanes_sqrt(K(2.0))); FIX(61, _s127);
-        FIX(62, _s126); FIX(63, _s136); FIX(64, lanes_add(_s38, _s137));
-        FIX(65, lanes_add(p_board_distance, _s35)); FIX(66, lanes_add(_s134, _s137));
-        FIX(67, lanes_sub(lanes_add(_s132, _s137), _s126));
-        FIX(68, lanes_mul(lanes_mul(K(1.25), _s65), _s144));
-        FIX(69, lanes_abs(lanes_add(_s126, _s127))); FIX(70, lanes_max(_s148, _s133));
-        FIX(71, lanes_mul(K(1.52587890625e-05), _s136));
-        FIX(72, lanes_mul(K(5.55653613398821e-16), _s122)); FIX(73, _s144);
-        FIX(74, lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        FIX(75, lanes_mul(K(2.001953125), _s144));
-        FIX(76, lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
-        FIX(77, lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
-        FIX(78, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s144, _s144)));
-        FIX(79, lanes_mul(K(6.667843360785852e-15), _s144));
-        FIX(80, lanes_mul(K(12.01171875), _s144));
-        FIX(81, lanes_mul(K(2.667137344314341e-15), _s144));
-        FIX(82, lanes_mul(K(6.005859375), _s144)); FIX(83, _s122); FIX(84, _s65);
+        FIX(34, lanes_mul(K(0.5), p_gravity)); FIX(45, lanes_sqrt(K(2.0))); FIX(56, _s121);
+        FIX(57, _s123); FIX(58, _s125); FIX(59, _s129); FIX(60, lanes_add(_s38, _s130));
+        FIX(61, lanes_add(p_board_distance, _s35)); FIX(62, lanes_add(_s127, _s130));
+        FIX(63, lanes_sub(lanes_add(_s124, _s130), _s125));
+        FIX(64, lanes_mul(lanes_mul(K(1.25), _s65), _s137));
+        FIX(65, lanes_abs(lanes_add(_s125, _s123))); FIX(66, lanes_max(_s142, _s126));
+        FIX(67, lanes_mul(K(1.52587890625e-05), _s129));
+        FIX(68, lanes_mul(K(5.55653613398821e-16), _s121)); FIX(69, _s137);
+        FIX(70, lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
+        FIX(71, lanes_mul(K(2.001953125), _s137));
+        FIX(72, lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
+        FIX(73, lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
+        FIX(74, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s137, _s137)));
+        FIX(75, lanes_mul(K(6.667843360785852e-15), _s137));
+        FIX(76, lanes_mul(K(12.01171875), _s137));
+        FIX(77, lanes_mul(K(2.667137344314341e-15), _s137));
+        FIX(78, lanes_mul(K(6.005859375), _s137)); FIX(79, _s65);
     }
 }
 
@@ -1202,24 +1214,24 @@ LANES_APART void LOOP(fix_reachable_searching_rows_1)(LOOP(worklist) *worklist, 
     {
         const V _s38 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_thickness));
         const V _s65 = lanes_abs(lanes_neg(p_gravity));
-        const V _s122 = lanes_mul(p_ball_radius, p_ball_radius);
-        const V _s133 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_top)), lanes_mul(K(0.5), p_board_bottom));
-        const V _s134 = lanes_add(p_ball_radius, p_board_half_width);
-        const V _s135 = lanes_min(_s134, _s38);
-        const V _s144 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s133, _s135)));
+        const V _s121 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s126 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_top)), lanes_mul(K(0.5), p_board_bottom));
+        const V _s127 = lanes_add(p_ball_radius, p_board_half_width);
+        const V _s128 = lanes_min(_s127, _s38);
+        const V _s137 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s126, _s128)));
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(15, lanes_add(p_board_distance, p_board_thickness));
         FIX(21, p_gravity); FIX(27, lanes_mul(K(0.5), _s65)); FIX(34, lanes_mul(K(0.5), p_gravity));
-        FIX(72, lanes_mul(K(5.55653613398821e-16), _s122)); FIX(73, _s144);
-        FIX(74, lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        FIX(75, lanes_mul(K(2.001953125), _s144));
-        FIX(76, lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
-        FIX(77, lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
-        FIX(78, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s144, _s144)));
-        FIX(79, lanes_mul(K(6.667843360785852e-15), _s144));
-        FIX(80, lanes_mul(K(12.01171875), _s144));
-        FIX(81, lanes_mul(K(2.667137344314341e-15), _s144));
-        FIX(82, lanes_mul(K(6.005859375), _s144)); FIX(83, _s122); FIX(84, _s65);
+        FIX(56, _s121); FIX(68, lanes_mul(K(5.55653613398821e-16), _s121)); FIX(69, _s137);
+        FIX(70, lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
+        FIX(71, lanes_mul(K(2.001953125), _s137));
+        FIX(72, lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
+        FIX(73, lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
+        FIX(74, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s137, _s137)));
+        FIX(75, lanes_mul(K(6.667843360785852e-15), _s137));
+        FIX(76, lanes_mul(K(12.01171875), _s137));
+        FIX(77, lanes_mul(K(2.667137344314341e-15), _s137));
+        FIX(78, lanes_mul(K(6.005859375), _s137)); FIX(79, _s65);
     }
 }
 
@@ -1231,7 +1243,7 @@ LANES_APART void LOOP(fix_reachable_rows_2)(LOOP(worklist) *worklist, size_t i)
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(15, lanes_add(p_board_distance, p_board_thickness));
         FIX(21, p_gravity); FIX(34, lanes_mul(K(0.5), p_gravity));
-        FIX(83, lanes_mul(p_ball_radius, p_ball_radius));
+        FIX(56, lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -1246,7 +1258,7 @@ LANES_APART void LOOP(fix_reachable_refining_rows_1)(LOOP(worklist) *worklist, s
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(15, lanes_add(p_board_distance, p_board_thickness));
         FIX(21, p_gravity); FIX(34, lanes_mul(K(0.5), p_gravity));
-        FIX(83, lanes_mul(p_ball_radius, p_ball_radius));
+        FIX(56, lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -1257,21 +1269,21 @@ LANES_APART void LOOP(fix_reachable_rows_3)(LOOP(worklist) *worklist, size_t i)
     EACH(PARAMETER, reachable_, p_board_thickness, p_board_top, p_gravity)
     {
         const V _s38 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_thickness));
-        const V _s133 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_top)), lanes_mul(K(0.5), p_board_bottom));
-        const V _s134 = lanes_add(p_ball_radius, p_board_half_width);
-        const V _s135 = lanes_min(_s134, _s38);
-        const V _s144 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s133, _s135)));
+        const V _s126 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_top)), lanes_mul(K(0.5), p_board_bottom));
+        const V _s127 = lanes_add(p_ball_radius, p_board_half_width);
+        const V _s128 = lanes_min(_s127, _s38);
+        const V _s137 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s126, _s128)));
         FIX(21, p_gravity);
-        FIX(72, lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)));
-        FIX(73, _s144); FIX(74, lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
-        FIX(75, lanes_mul(K(2.001953125), _s144));
-        FIX(76, lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
-        FIX(77, lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
-        FIX(78, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s144, _s144)));
-        FIX(79, lanes_mul(K(6.667843360785852e-15), _s144));
-        FIX(80, lanes_mul(K(12.01171875), _s144));
-        FIX(81, lanes_mul(K(2.667137344314341e-15), _s144));
-        FIX(82, lanes_mul(K(6.005859375), _s144));
+        FIX(68, lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)));
+        FIX(69, _s137); FIX(70, lanes_mul(K(3.3306690738754696e-16), p_board_half_width));
+        FIX(71, lanes_mul(K(2.001953125), _s137));
+        FIX(72, lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)));
+        FIX(73, lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))));
+        FIX(74, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s137, _s137)));
+        FIX(75, lanes_mul(K(6.667843360785852e-15), _s137));
+        FIX(76, lanes_mul(K(12.01171875), _s137));
+        FIX(77, lanes_mul(K(2.667137344314341e-15), _s137));
+        FIX(78, lanes_mul(K(6.005859375), _s137));
     }
 }
 
@@ -1285,14 +1297,17 @@ LANES_APART void LOOP(fix_rows_6)(LOOP(worklist) *worklist, size_t i)
     {
         const V _s39 = lanes_mul(K(0.5), p_ring_radius);
         const V _s40 = lanes_mul(K(0.5), p_board_distance);
+        const V _s121 = lanes_mul(p_ball_radius, p_ball_radius);
         const V _s178 = lanes_mul(K(0.5), p_bridge_depth);
-        FIX(4, lanes_neg(lanes_add(_s39, _s40))); FIX(20, lanes_div(K(1.0), p_gravity));
-        FIX(21, p_gravity); FIX(34, lanes_mul(K(0.5), p_gravity)); FIX(54, lanes_abs(K(0.0)));
-        FIX(55, lanes_mul(K(0.0625), p_gravity));
-        FIX(56, lanes_mul(K(1.0000000009313226), lanes_mul(p_ball_radius, p_ball_radius)));
-        FIX(85, lanes_mul(K(1.0000000009313226), lanes_sub(_s40, _s39)));
-        FIX(86, lanes_mul(K(1.0000000009313226), p_bridge_half_width));
-        FIX(87, lanes_sub(p_wire_radius, _s178)); FIX(88, lanes_mul(K(1.0000000009313226), _s178));
+        FIX(4, lanes_neg(lanes_add(_s39, _s40))); FIX(7, p_ring_radius); FIX(8, p_wire_radius);
+        FIX(9, p_board_distance); FIX(13, p_bridge_half_width);
+        FIX(16, lanes_sub(p_wire_radius, p_bridge_depth)); FIX(20, lanes_div(K(1.0), p_gravity));
+        FIX(21, p_gravity); FIX(34, lanes_mul(K(0.5), p_gravity)); FIX(56, _s121);
+        FIX(80, lanes_abs(K(0.0))); FIX(81, lanes_mul(K(0.0625), p_gravity));
+        FIX(82, lanes_mul(K(1.0000000009313226), _s121));
+        FIX(83, lanes_mul(K(1.0000000009313226), lanes_sub(_s40, _s39)));
+        FIX(84, lanes_mul(K(1.0000000009313226), p_bridge_half_width));
+        FIX(85, lanes_sub(p_wire_radius, _s178)); FIX(86, lanes_mul(K(1.0000000009313226), _s178));
     }
 }
 
@@ -1310,7 +1325,7 @@ LANES_APART void LOOP(fix_reachable_rows_3)(LOOP(worklist) *worklist, size_t i)
         const V _s43 = lanes_add(p_ball_radius, _s40);
         const V _s44 = lanes_sub(_s43, _s39);
         const V _s65 = lanes_abs(lanes_neg(p_gravity));
-        const V _s122 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s121 = lanes_mul(p_ball_radius, p_ball_radius);
         const V _s178 = lanes_mul(K(0.5), p_bridge_depth);
         const V _s181 = lanes_add(p_ball_radius, _s178);
         const V _s182 = lanes_add(p_ball_radius, p_bridge_half_width);
@@ -1323,22 +1338,22 @@ LANES_APART void LOOP(fix_reachable_rows_3)(LOOP(worklist) *worklist, size_t i)
         FIX(13, p_bridge_half_width); FIX(16, lanes_sub(p_wire_radius, p_bridge_depth));
         FIX(20, lanes_div(K(1.0), p_gravity)); FIX(21, p_gravity);
         FIX(22, lanes_mul(K(2.0), p_gravity)); FIX(27, lanes_mul(K(0.5), _s65));
-        FIX(34, lanes_mul(K(0.5), p_gravity)); FIX(45, lanes_sqrt(K(2.0)));
-        FIX(72, lanes_mul(K(5.55653613398821e-16), _s122)); FIX(83, _s122); FIX(84, _s65);
-        FIX(89, _s178); FIX(90, _s184); FIX(91, lanes_sub(lanes_add(_s43, _s185), _s39));
-        FIX(92, lanes_add(_s39, _s40)); FIX(93, lanes_add(_s182, _s185));
-        FIX(94, lanes_add(_s181, _s185)); FIX(95, lanes_mul(lanes_mul(K(1.25), _s65), _s191));
-        FIX(96, lanes_abs(lanes_sub(_s178, p_wire_radius))); FIX(97, lanes_max(_s195, _s181));
-        FIX(98, lanes_mul(K(1.52587890625e-05), _s184)); FIX(99, _s191);
-        FIX(100, lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
-        FIX(101, lanes_mul(K(2.001953125), _s191));
-        FIX(102, lanes_add(lanes_mul(K(1.1102230246251565e-16), p_ring_radius), lanes_mul(K(1.1102230246251565e-16), p_board_distance)));
-        FIX(103, lanes_add(lanes_mul(K(5.551115123125783e-16), p_wire_radius), lanes_mul(K(2.220446049250313e-16), p_bridge_depth)));
-        FIX(104, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s191, _s191)));
-        FIX(105, lanes_mul(K(6.667843360785852e-15), _s191));
-        FIX(106, lanes_mul(K(12.01171875), _s191));
-        FIX(107, lanes_mul(K(2.667137344314341e-15), _s191));
-        FIX(108, lanes_mul(K(6.005859375), _s191));
+        FIX(34, lanes_mul(K(0.5), p_gravity)); FIX(45, lanes_sqrt(K(2.0))); FIX(56, _s121);
+        FIX(68, lanes_mul(K(5.55653613398821e-16), _s121)); FIX(79, _s65); FIX(87, _s178);
+        FIX(88, _s184); FIX(89, lanes_sub(lanes_add(_s43, _s185), _s39));
+        FIX(90, lanes_add(_s39, _s40)); FIX(91, lanes_add(_s182, _s185));
+        FIX(92, lanes_add(_s181, _s185)); FIX(93, lanes_mul(lanes_mul(K(1.25), _s65), _s191));
+        FIX(94, lanes_abs(lanes_sub(_s178, p_wire_radius))); FIX(95, lanes_max(_s195, _s181));
+        FIX(96, lanes_mul(K(1.52587890625e-05), _s184)); FIX(97, _s191);
+        FIX(98, lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
+        FIX(99, lanes_mul(K(2.001953125), _s191));
+        FIX(100, lanes_add(lanes_mul(K(1.1102230246251565e-16), p_ring_radius), lanes_mul(K(1.1102230246251565e-16), p_board_distance)));
+        FIX(101, lanes_add(lanes_mul(K(5.551115123125783e-16), p_wire_radius), lanes_mul(K(2.220446049250313e-16), p_bridge_depth)));
+        FIX(102, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s191, _s191)));
+        FIX(103, lanes_mul(K(6.667843360785852e-15), _s191));
+        FIX(104, lanes_mul(K(12.01171875), _s191));
+        FIX(105, lanes_mul(K(2.667137344314341e-15), _s191));
+        FIX(106, lanes_mul(K(6.005859375), _s191));
     }
 }
 
@@ -1352,7 +1367,7 @@ LANES_APART void LOOP(fix_reachable_searching_rows_2)(LOOP(worklist) *worklist, 
     {
         const V _s44 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_distance)), lanes_mul(K(0.5), p_ring_radius));
         const V _s65 = lanes_abs(lanes_neg(p_gravity));
-        const V _s122 = lanes_mul(p_ball_radius, p_ball_radius);
+        const V _s121 = lanes_mul(p_ball_radius, p_ball_radius);
         const V _s181 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_bridge_depth));
         const V _s182 = lanes_add(p_ball_radius, p_bridge_half_width);
         const V _s183 = lanes_min(_s182, _s44);
@@ -1360,16 +1375,16 @@ LANES_APART void LOOP(fix_reachable_searching_rows_2)(LOOP(worklist) *worklist, 
         FIX(7, p_ring_radius); FIX(8, p_wire_radius); FIX(9, p_board_distance);
         FIX(13, p_bridge_half_width); FIX(16, lanes_sub(p_wire_radius, p_bridge_depth));
         FIX(21, p_gravity); FIX(27, lanes_mul(K(0.5), _s65)); FIX(34, lanes_mul(K(0.5), p_gravity));
-        FIX(72, lanes_mul(K(5.55653613398821e-16), _s122)); FIX(83, _s122); FIX(84, _s65);
-        FIX(99, _s191); FIX(100, lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
-        FIX(101, lanes_mul(K(2.001953125), _s191));
-        FIX(102, lanes_add(lanes_mul(K(1.1102230246251565e-16), p_ring_radius), lanes_mul(K(1.1102230246251565e-16), p_board_distance)));
-        FIX(103, lanes_add(lanes_mul(K(5.551115123125783e-16), p_wire_radius), lanes_mul(K(2.220446049250313e-16), p_bridge_depth)));
-        FIX(104, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s191, _s191)));
-        FIX(105, lanes_mul(K(6.667843360785852e-15), _s191));
-        FIX(106, lanes_mul(K(12.01171875), _s191));
-        FIX(107, lanes_mul(K(2.667137344314341e-15), _s191));
-        FIX(108, lanes_mul(K(6.005859375), _s191));
+        FIX(56, _s121); FIX(68, lanes_mul(K(5.55653613398821e-16), _s121)); FIX(79, _s65);
+        FIX(97, _s191); FIX(98, lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
+        FIX(99, lanes_mul(K(2.001953125), _s191));
+        FIX(100, lanes_add(lanes_mul(K(1.1102230246251565e-16), p_ring_radius), lanes_mul(K(1.1102230246251565e-16), p_board_distance)));
+        FIX(101, lanes_add(lanes_mul(K(5.551115123125783e-16), p_wire_radius), lanes_mul(K(2.220446049250313e-16), p_bridge_depth)));
+        FIX(102, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s191, _s191)));
+        FIX(103, lanes_mul(K(6.667843360785852e-15), _s191));
+        FIX(104, lanes_mul(K(12.01171875), _s191));
+        FIX(105, lanes_mul(K(2.667137344314341e-15), _s191));
+        FIX(106, lanes_mul(K(6.005859375), _s191));
     }
 }
 
@@ -1385,7 +1400,7 @@ LANES_APART void LOOP(fix_reachable_rows_4)(LOOP(worklist) *worklist, size_t i)
         FIX(7, p_ring_radius); FIX(8, p_wire_radius); FIX(9, p_board_distance);
         FIX(13, p_bridge_half_width); FIX(16, lanes_sub(p_wire_radius, p_bridge_depth));
         FIX(21, p_gravity); FIX(34, lanes_mul(K(0.5), p_gravity));
-        FIX(83, lanes_mul(p_ball_radius, p_ball_radius));
+        FIX(56, lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -1400,7 +1415,7 @@ LANES_APART void LOOP(fix_reachable_refining_rows_2)(LOOP(worklist) *worklist, s
         FIX(7, p_ring_radius); FIX(8, p_wire_radius); FIX(9, p_board_distance);
         FIX(13, p_bridge_half_width); FIX(16, lanes_sub(p_wire_radius, p_bridge_depth));
         FIX(21, p_gravity); FIX(34, lanes_mul(K(0.5), p_gravity));
-        FIX(83, lanes_mul(p_ball_radius, p_ball_radius));
+        FIX(56, lanes_mul(p_ball_radius, p_ball_radius));
     }
 }
 
@@ -1416,16 +1431,16 @@ LANES_APART void LOOP(fix_reachable_rows_6)(LOOP(worklist) *worklist, size_t i)
         const V _s183 = lanes_min(_s182, _s44);
         const V _s191 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s181, _s183)));
         FIX(21, p_gravity);
-        FIX(72, lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)));
-        FIX(99, _s191); FIX(100, lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
-        FIX(101, lanes_mul(K(2.001953125), _s191));
-        FIX(102, lanes_add(lanes_mul(K(1.1102230246251565e-16), p_ring_radius), lanes_mul(K(1.1102230246251565e-16), p_board_distance)));
-        FIX(103, lanes_add(lanes_mul(K(5.551115123125783e-16), p_wire_radius), lanes_mul(K(2.220446049250313e-16), p_bridge_depth)));
-        FIX(104, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s191, _s191)));
-        FIX(105, lanes_mul(K(6.667843360785852e-15), _s191));
-        FIX(106, lanes_mul(K(12.01171875), _s191));
-        FIX(107, lanes_mul(K(2.667137344314341e-15), _s191));
-        FIX(108, lanes_mul(K(6.005859375), _s191));
+        FIX(68, lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)));
+        FIX(97, _s191); FIX(98, lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width));
+        FIX(99, lanes_mul(K(2.001953125), _s191));
+        FIX(100, lanes_add(lanes_mul(K(1.1102230246251565e-16), p_ring_radius), lanes_mul(K(1.1102230246251565e-16), p_board_distance)));
+        FIX(101, lanes_add(lanes_mul(K(5.551115123125783e-16), p_wire_radius), lanes_mul(K(2.220446049250313e-16), p_bridge_depth)));
+        FIX(102, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s191, _s191)));
+        FIX(103, lanes_mul(K(6.667843360785852e-15), _s191));
+        FIX(104, lanes_mul(K(12.01171875), _s191));
+        FIX(105, lanes_mul(K(2.667137344314341e-15), _s191));
+        FIX(106, lanes_mul(K(6.005859375), _s191));
     }
 }
 
@@ -1444,13 +1459,13 @@ LANES_APART void LOOP(fix_in_contact_rows_1)(LOOP(worklist) *worklist, size_t i)
         FIX(12, p_board_top); FIX(13, p_bridge_half_width);
         FIX(15, lanes_add(p_board_distance, p_board_thickness));
         FIX(16, lanes_sub(p_wire_radius, p_bridge_depth));
-        FIX(109, lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
-        FIX(110, lanes_mul(K(0.5), p_ball_radius));
-        FIX(111, lanes_mul(p_inertia, lanes_div(K(1.0), lanes_add(K(1.0), p_inertia))));
-        FIX(112, lanes_div(K(1.0), p_ball_radius));
+        FIX(107, lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
+        FIX(108, lanes_mul(K(0.5), p_ball_radius));
+        FIX(109, lanes_mul(p_inertia, lanes_div(K(1.0), lanes_add(K(1.0), p_inertia))));
+        FIX(110, lanes_div(K(1.0), p_ball_radius));
 #if BOUNDED
-        FIX(113, _s222); FIX(114, lanes_neg(_s222));
-        FIX(115, lanes_mul(K(1.4551915228366852e-11), p_ball_radius));
+        FIX(111, _s222); FIX(112, lanes_neg(_s222));
+        FIX(113, lanes_mul(K(1.4551915228366852e-11), p_ball_radius));
 #endif
     }
 }
@@ -1481,23 +1496,23 @@ LANES_APART void LOOP(fix_in_contact_rolling_rows_1)(LOOP(worklist) *worklist, s
         FIX(15, lanes_add(p_board_distance, p_board_thickness));
         FIX(16, lanes_sub(p_wire_radius, p_bridge_depth)); FIX(18, lanes_neg(p_end_depth));
         FIX(19, lanes_mul(p_ring_radius, p_ring_radius)); FIX(21, p_gravity);
-        FIX(41, lanes_mul(K(2.0), p_ring_radius)); FIX(110, lanes_mul(K(0.5), p_ball_radius));
-        FIX(111, lanes_mul(p_inertia, _s218)); FIX(112, lanes_div(K(1.0), p_ball_radius));
-        FIX(113, lanes_mul(K(3.637978807091713e-12), p_ball_radius)); FIX(116, _s232);
-        FIX(117, lanes_neg(_s232)); FIX(118, _s235); FIX(119, lanes_neg(_s235)); FIX(120, _s240);
-        FIX(121, lanes_neg(_s240)); FIX(122, _s245); FIX(123, lanes_neg(_s245)); FIX(124, _s248);
-        FIX(125, lanes_neg(_s248)); FIX(126, _s255); FIX(127, lanes_neg(_s255)); FIX(128, _s218);
-        FIX(129, lanes_mul(p_gravity, _s218)); FIX(130, lanes_mul(K(0.015625), p_gravity));
+        FIX(41, lanes_mul(K(2.0), p_ring_radius)); FIX(108, lanes_mul(K(0.5), p_ball_radius));
+        FIX(109, lanes_mul(p_inertia, _s218)); FIX(110, lanes_div(K(1.0), p_ball_radius));
+        FIX(111, lanes_mul(K(3.637978807091713e-12), p_ball_radius)); FIX(114, _s232);
+        FIX(115, lanes_neg(_s232)); FIX(116, _s235); FIX(117, lanes_neg(_s235)); FIX(118, _s240);
+        FIX(119, lanes_neg(_s240)); FIX(120, _s245); FIX(121, lanes_neg(_s245)); FIX(122, _s248);
+        FIX(123, lanes_neg(_s248)); FIX(124, _s255); FIX(125, lanes_neg(_s255)); FIX(126, _s218);
+        FIX(127, lanes_mul(p_gravity, _s218)); FIX(128, lanes_mul(K(0.015625), p_gravity));
 #if BOUNDED
-        FIX(131, lanes_mul(p_backboard_friction, p_backboard_friction));
-        FIX(132, lanes_mul(p_bridge_friction, p_bridge_friction));
+        FIX(129, lanes_mul(p_backboard_friction, p_backboard_friction));
+        FIX(130, lanes_mul(p_bridge_friction, p_bridge_friction));
 #endif
-        FIX(133, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
-        FIX(134, lanes_mul(K(5.684341886080802e-14), p_gravity));
-        FIX(135, lanes_add(p_ball_radius, p_wire_radius)); FIX(136, p_bridge_depth);
+        FIX(131, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
+        FIX(132, lanes_mul(K(5.684341886080802e-14), p_gravity));
+        FIX(133, lanes_add(p_ball_radius, p_wire_radius)); FIX(134, p_bridge_depth);
 #if BOUNDED
-        FIX(137, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
-        FIX(138, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
+        FIX(135, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
+        FIX(136, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
 #endif
     }
 }
@@ -1535,36 +1550,36 @@ LANES_APART void LOOP(fix_in_contact_circling_rows_1)(LOOP(worklist) *worklist, 
         FIX(12, p_board_top); FIX(13, p_bridge_half_width); FIX(15, _s47);
         FIX(16, lanes_sub(p_wire_radius, p_bridge_depth)); FIX(18, lanes_neg(p_end_depth));
         FIX(19, lanes_mul(p_ring_radius, p_ring_radius)); FIX(21, p_gravity);
-        FIX(109, lanes_div(K(1.0), _s45)); FIX(111, _s219);
-        FIX(112, lanes_div(K(1.0), p_ball_radius));
-        FIX(113, lanes_mul(K(3.637978807091713e-12), p_ball_radius)); FIX(128, _s218);
-        FIX(130, lanes_mul(K(0.015625), p_gravity));
-        FIX(133, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
-        FIX(134, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(135, _s45);
+        FIX(107, lanes_div(K(1.0), _s45)); FIX(109, _s219);
+        FIX(110, lanes_div(K(1.0), p_ball_radius));
+        FIX(111, lanes_mul(K(3.637978807091713e-12), p_ball_radius)); FIX(126, _s218);
+        FIX(128, lanes_mul(K(0.015625), p_gravity));
+        FIX(131, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
+        FIX(132, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(133, _s45);
 #if BOUNDED
-        FIX(137, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
-        FIX(138, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
+        FIX(135, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
+        FIX(136, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
 #endif
-        FIX(139, lanes_mul(p_ring_radius, _s218)); FIX(140, lanes_mul(K(0.5), p_ring_radius));
-        FIX(141, lanes_mul(K(0.3333333333333333), p_ring_radius));
-        FIX(142, lanes_mul(K(0.25), p_ring_radius)); FIX(143, lanes_mul(K(0.2), p_ring_radius));
-        FIX(144, lanes_mul(K(0.16666666666666666), p_ring_radius));
-        FIX(145, lanes_mul(K(0.14285714285714285), p_ring_radius));
-        FIX(146, lanes_mul(K(0.125), p_ring_radius));
-        FIX(147, lanes_mul(K(0.1111111111111111), p_ring_radius));
-        FIX(148, lanes_mul(K(0.1), p_ring_radius));
-        FIX(149, lanes_mul(K(0.09090909090909091), p_ring_radius));
-        FIX(150, lanes_mul(K(0.08333333333333333), p_ring_radius));
-        FIX(151, lanes_mul(p_gravity, lanes_sub(K(3.0), lanes_mul(K(2.0), _s219))));
-        FIX(152, lanes_mul(K(3.0), p_ring_radius)); FIX(153, lanes_mul(K(6.0), p_ring_radius));
-        FIX(154, lanes_mul(lanes_mul(K(2.0), p_gravity), _s219));
+        FIX(137, lanes_mul(p_ring_radius, _s218)); FIX(138, lanes_mul(K(0.5), p_ring_radius));
+        FIX(139, lanes_mul(K(0.3333333333333333), p_ring_radius));
+        FIX(140, lanes_mul(K(0.25), p_ring_radius)); FIX(141, lanes_mul(K(0.2), p_ring_radius));
+        FIX(142, lanes_mul(K(0.16666666666666666), p_ring_radius));
+        FIX(143, lanes_mul(K(0.14285714285714285), p_ring_radius));
+        FIX(144, lanes_mul(K(0.125), p_ring_radius));
+        FIX(145, lanes_mul(K(0.1111111111111111), p_ring_radius));
+        FIX(146, lanes_mul(K(0.1), p_ring_radius));
+        FIX(147, lanes_mul(K(0.09090909090909091), p_ring_radius));
+        FIX(148, lanes_mul(K(0.08333333333333333), p_ring_radius));
+        FIX(149, lanes_mul(p_gravity, lanes_sub(K(3.0), lanes_mul(K(2.0), _s219))));
+        FIX(150, lanes_mul(K(3.0), p_ring_radius)); FIX(151, lanes_mul(K(6.0), p_ring_radius));
+        FIX(152, lanes_mul(lanes_mul(K(2.0), p_gravity), _s219));
 #if BOUNDED
-        FIX(155, lanes_mul(p_ring_friction, p_ring_friction));
+        FIX(153, lanes_mul(p_ring_friction, p_ring_friction));
 #endif
-        FIX(156, lanes_sqrt(lanes_add(lanes_mul(_s304, _s304), lanes_mul(_s308, _s308))));
-        FIX(157, lanes_sqrt(lanes_add(lanes_mul(_s314, _s314), lanes_mul(_s318, _s318))));
-        FIX(158, lanes_mul(K(0.000244140625), _s45)); FIX(159, lanes_mul(K(0.00390625), p_gravity));
-        FIX(160, lanes_mul(lanes_mul(K(0.000244140625), lanes_mul(p_gravity, p_gravity)), _s45));
+        FIX(154, lanes_sqrt(lanes_add(lanes_mul(_s304, _s304), lanes_mul(_s308, _s308))));
+        FIX(155, lanes_sqrt(lanes_add(lanes_mul(_s314, _s314), lanes_mul(_s318, _s318))));
+        FIX(156, lanes_mul(K(0.000244140625), _s45)); FIX(157, lanes_mul(K(0.00390625), p_gravity));
+        FIX(158, lanes_mul(lanes_mul(K(0.000244140625), lanes_mul(p_gravity, p_gravity)), _s45));
     }
 }
 
@@ -1589,15 +1604,15 @@ LANES_APART void LOOP(fix_in_contact_leaves_rows_1)(LOOP(worklist) *worklist, si
         FIX(15, lanes_add(p_board_distance, p_board_thickness));
         FIX(16, lanes_sub(p_wire_radius, p_bridge_depth)); FIX(18, lanes_neg(p_end_depth));
         FIX(21, p_gravity); FIX(22, lanes_mul(K(2.0), p_gravity)); FIX(23, lanes_neg(p_gravity));
-        FIX(41, lanes_mul(K(2.0), p_ring_radius)); FIX(109, lanes_div(K(1.0), _s45));
-        FIX(112, lanes_div(K(1.0), p_ball_radius)); FIX(116, _s232); FIX(117, lanes_neg(_s232));
-        FIX(118, _s235); FIX(119, lanes_neg(_s235)); FIX(120, _s240); FIX(121, lanes_neg(_s240));
-        FIX(122, _s245); FIX(123, lanes_neg(_s245)); FIX(124, _s248); FIX(125, lanes_neg(_s248));
-        FIX(126, _s255); FIX(127, lanes_neg(_s255));
-        FIX(134, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(135, _s45);
-        FIX(136, p_bridge_depth); FIX(161, lanes_mul(K(3.0), p_gravity));
-        FIX(162, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
-        FIX(163, lanes_mul(K(0.0078125), p_gravity)); FIX(164, lanes_max(K(0.0), p_gravity));
+        FIX(41, lanes_mul(K(2.0), p_ring_radius)); FIX(107, lanes_div(K(1.0), _s45));
+        FIX(110, lanes_div(K(1.0), p_ball_radius)); FIX(114, _s232); FIX(115, lanes_neg(_s232));
+        FIX(116, _s235); FIX(117, lanes_neg(_s235)); FIX(118, _s240); FIX(119, lanes_neg(_s240));
+        FIX(120, _s245); FIX(121, lanes_neg(_s245)); FIX(122, _s248); FIX(123, lanes_neg(_s248));
+        FIX(124, _s255); FIX(125, lanes_neg(_s255));
+        FIX(132, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(133, _s45);
+        FIX(134, p_bridge_depth); FIX(159, lanes_mul(K(3.0), p_gravity));
+        FIX(160, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
+        FIX(161, lanes_mul(K(0.0078125), p_gravity)); FIX(162, lanes_max(K(0.0), p_gravity));
     }
 }
 
@@ -1619,16 +1634,16 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         EACH(GET_MASK, _holding_1, here)
         const M _if_here_1 = lanes_both(rows, here);
         if (lanes_any(_if_here_1)) {
-            CALL(court_ring_rolling_surface, _ring_rolling_surface_1)(FIXED(109));
+            CALL(court_ring_rolling_surface, _ring_rolling_surface_1)(FIXED(107));
             EACH(SELECT, (_if_here_1, _ring_rolling_surface_1), per_reach)
-            CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(161), FIXED(162));
+            CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(159), FIXED(160));
             EACH(SELECT, (_if_here_1, _ring_separation_1), lift, gap_jerk, gap_snap)
         }
         CALL(court_holding, _holding_2)(K(1.0), held);
         EACH(SET, _holding_2, here)
         const M _if_here_2 = lanes_both(rows, here);
         if (lanes_any(_if_here_2)) {
-            CALL(court_backboard_rolling_surface, _backboard_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(116), FIXED(117), FIXED(15), FIXED(118), FIXED(119), FIXED(120), FIXED(121), FIXED(112));
+            CALL(court_backboard_rolling_surface, _backboard_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(114), FIXED(115), FIXED(15), FIXED(116), FIXED(117), FIXED(118), FIXED(119), FIXED(110));
             EACH(SELECT, (_if_here_2, _backboard_rolling_surface_1), per_reach)
             CALL(court_backboard_separation, _backboard_separation_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(21), FIXED(15), FIXED(23));
             EACH(SELECT, (_if_here_2, _backboard_separation_1), lift, gap_jerk, gap_snap)
@@ -1637,7 +1652,7 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         EACH(SET, _holding_3, here)
         const M _if_here_3 = lanes_both(rows, here);
         if (lanes_any(_if_here_3)) {
-            CALL(court_bridge_rolling_surface, _bridge_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(122), FIXED(123), FIXED(124), FIXED(125), FIXED(126), FIXED(127), FIXED(16), FIXED(112));
+            CALL(court_bridge_rolling_surface, _bridge_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(120), FIXED(121), FIXED(122), FIXED(123), FIXED(124), FIXED(125), FIXED(16), FIXED(110));
             EACH(SELECT, (_if_here_3, _bridge_rolling_surface_1), per_reach)
             CALL(court_bridge_separation, _bridge_separation_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(21), FIXED(7), FIXED(8), FIXED(16), FIXED(23));
             EACH(SELECT, (_if_here_3, _bridge_separation_1), lift, gap_jerk, gap_snap)
@@ -1648,9 +1663,9 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         EACH(GET_MASK, _beside_1, beside)
         const M _if_beside_1 = lanes_both(rows, beside);
         if (lanes_any(_if_beside_1)) {
-            CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(41), FIXED(135));
+            CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(41), FIXED(133));
             EACH(GET, _ring_beside_1, gap, nearing, gap_curvature)
-            CALL(court_neighbour_free_time, _neighbour_free_time_1)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(163));
+            CALL(court_neighbour_free_time, _neighbour_free_time_1)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(161));
             EACH(SELECT, (_if_beside_1, _neighbour_free_time_1), free_time)
         }
         CALL(court_beside, _beside_2)(K(1.0), held);
@@ -1659,7 +1674,7 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         if (lanes_any(_if_beside_2)) {
             CALL(court_backboard_beside, _backboard_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
             EACH(GET, _backboard_beside_1, gap, nearing, gap_curvature)
-            CALL(court_neighbour_free_time, _neighbour_free_time_2)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(163));
+            CALL(court_neighbour_free_time, _neighbour_free_time_2)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(161));
             EACH(SELECT, (_if_beside_2, _neighbour_free_time_2), free_time)
         }
         CALL(court_beside, _beside_3)(K(2.0), held);
@@ -1668,73 +1683,73 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         if (lanes_any(_if_beside_3)) {
             CALL(court_bridge_beside, _bridge_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
             EACH(GET, _bridge_beside_1, gap, nearing, gap_curvature)
-            CALL(court_neighbour_free_time, _neighbour_free_time_3)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(163));
+            CALL(court_neighbour_free_time, _neighbour_free_time_3)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(161));
             EACH(SELECT, (_if_beside_3, _neighbour_free_time_3), free_time)
         }
         CALL(court_end_beside, _end_beside_1)(z, vz, FIXED(18));
         EACH(GET, _end_beside_1, gap, nearing, gap_curvature)
-        CALL(court_end_plane_free_time, _end_plane_free_time_1)(vx, vy, vz, gap, OR_INFINITE(undecided_time), free_time, nearing, gap_curvature, FIXED(21), FIXED(163));
+        CALL(court_end_plane_free_time, _end_plane_free_time_1)(vx, vy, vz, gap, OR_INFINITE(undecided_time), free_time, nearing, gap_curvature, FIXED(21), FIXED(161));
         EACH(SET, _end_plane_free_time_1, free_time)
         BOUNDS(EACH(SET, _end_plane_free_time_1, undecided_time))
         CALL(court_holding, _holding_4)(K(1.0), held);
         EACH(SET, _holding_4, here)
         const M _if_here_4 = lanes_both(rows, here);
         if (lanes_any(_if_here_4)) {
-            CALL(court_backboard_seam0, _backboard_seam0_1)(x, vx, FIXED(15), FIXED(116));
+            CALL(court_backboard_seam0, _backboard_seam0_1)(x, vx, FIXED(15), FIXED(114));
             EACH(GET, _backboard_seam0_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_1)(gap, free_time, near, nearing, FIXED(22), FIXED(164));
+            CALL(court_seam_free_time, _seam_free_time_1)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
             EACH(SELECT, (_if_here_4, _seam_free_time_1), free_time)
-            CALL(court_backboard_seam1, _backboard_seam1_1)(x, vx, FIXED(9), FIXED(116));
+            CALL(court_backboard_seam1, _backboard_seam1_1)(x, vx, FIXED(9), FIXED(114));
             EACH(SET, _backboard_seam1_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_2)(gap, free_time, near, nearing, FIXED(22), FIXED(164));
+            CALL(court_seam_free_time, _seam_free_time_2)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
             EACH(SELECT, (_if_here_4, _seam_free_time_2), free_time)
-            CALL(court_backboard_seam2, _backboard_seam2_1)(y, vy, FIXED(10), FIXED(118));
+            CALL(court_backboard_seam2, _backboard_seam2_1)(y, vy, FIXED(10), FIXED(116));
             EACH(SET, _backboard_seam2_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_3)(gap, free_time, near, nearing, FIXED(22), FIXED(164));
+            CALL(court_seam_free_time, _seam_free_time_3)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
             EACH(SELECT, (_if_here_4, _seam_free_time_3), free_time)
-            CALL(court_backboard_seam3, _backboard_seam3_1)(y, vy, FIXED(10), FIXED(118));
+            CALL(court_backboard_seam3, _backboard_seam3_1)(y, vy, FIXED(10), FIXED(116));
             EACH(SET, _backboard_seam3_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_4)(gap, free_time, near, nearing, FIXED(22), FIXED(164));
+            CALL(court_seam_free_time, _seam_free_time_4)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
             EACH(SELECT, (_if_here_4, _seam_free_time_4), free_time)
-            CALL(court_backboard_seam4, _backboard_seam4_1)(z, vz, FIXED(11), FIXED(120));
+            CALL(court_backboard_seam4, _backboard_seam4_1)(z, vz, FIXED(11), FIXED(118));
             EACH(SET, _backboard_seam4_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_5)(gap, free_time, near, nearing, FIXED(22), FIXED(164));
+            CALL(court_seam_free_time, _seam_free_time_5)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
             EACH(SELECT, (_if_here_4, _seam_free_time_5), free_time)
-            CALL(court_backboard_seam5, _backboard_seam5_1)(z, vz, FIXED(12), FIXED(120));
+            CALL(court_backboard_seam5, _backboard_seam5_1)(z, vz, FIXED(12), FIXED(118));
             EACH(SET, _backboard_seam5_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_6)(gap, free_time, near, nearing, FIXED(22), FIXED(164));
+            CALL(court_seam_free_time, _seam_free_time_6)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
             EACH(SELECT, (_if_here_4, _seam_free_time_6), free_time)
         }
         CALL(court_holding, _holding_5)(K(2.0), held);
         EACH(SET, _holding_5, here)
         const M _if_here_5 = lanes_both(rows, here);
         if (lanes_any(_if_here_5)) {
-            CALL(court_bridge_seam0, _bridge_seam0_1)(x, vx, FIXED(9), FIXED(122));
+            CALL(court_bridge_seam0, _bridge_seam0_1)(x, vx, FIXED(9), FIXED(120));
             EACH(GET, _bridge_seam0_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_7)(gap, free_time, near, nearing, FIXED(22), FIXED(164));
+            CALL(court_seam_free_time, _seam_free_time_7)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
             EACH(SELECT, (_if_here_5, _seam_free_time_7), free_time)
-            CALL(court_bridge_seam1, _bridge_seam1_1)(x, vx, FIXED(7), FIXED(122));
+            CALL(court_bridge_seam1, _bridge_seam1_1)(x, vx, FIXED(7), FIXED(120));
             EACH(SET, _bridge_seam1_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_8)(gap, free_time, near, nearing, FIXED(22), FIXED(164));
+            CALL(court_seam_free_time, _seam_free_time_8)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
             EACH(SELECT, (_if_here_5, _seam_free_time_8), free_time)
-            CALL(court_bridge_seam2, _bridge_seam2_1)(y, vy, FIXED(13), FIXED(124));
+            CALL(court_bridge_seam2, _bridge_seam2_1)(y, vy, FIXED(13), FIXED(122));
             EACH(SET, _bridge_seam2_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_9)(gap, free_time, near, nearing, FIXED(22), FIXED(164));
+            CALL(court_seam_free_time, _seam_free_time_9)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
             EACH(SELECT, (_if_here_5, _seam_free_time_9), free_time)
-            CALL(court_bridge_seam3, _bridge_seam3_1)(y, vy, FIXED(13), FIXED(124));
+            CALL(court_bridge_seam3, _bridge_seam3_1)(y, vy, FIXED(13), FIXED(122));
             EACH(SET, _bridge_seam3_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_10)(gap, free_time, near, nearing, FIXED(22), FIXED(164));
+            CALL(court_seam_free_time, _seam_free_time_10)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
             EACH(SELECT, (_if_here_5, _seam_free_time_10), free_time)
-            CALL(court_bridge_seam4, _bridge_seam4_1)(z, vz, FIXED(136), FIXED(8), FIXED(126));
+            CALL(court_bridge_seam4, _bridge_seam4_1)(z, vz, FIXED(134), FIXED(8), FIXED(124));
             EACH(SET, _bridge_seam4_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_11)(gap, free_time, near, nearing, FIXED(22), FIXED(164));
+            CALL(court_seam_free_time, _seam_free_time_11)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
             EACH(SELECT, (_if_here_5, _seam_free_time_11), free_time)
-            CALL(court_bridge_seam5, _bridge_seam5_1)(z, vz, FIXED(8), FIXED(126));
+            CALL(court_bridge_seam5, _bridge_seam5_1)(z, vz, FIXED(8), FIXED(124));
             EACH(SET, _bridge_seam5_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_12)(gap, free_time, near, nearing, FIXED(22), FIXED(164));
+            CALL(court_seam_free_time, _seam_free_time_12)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
             EACH(SELECT, (_if_here_5, _seam_free_time_12), free_time)
         }
-        CALL(court_separated, _separated_1)(vx, vy, vz, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), clock, time_limit, per_reach, free_time, lift, gap_jerk, gap_snap, FIXED(21), FIXED(163), FIXED(134));
+        CALL(court_separated, _separated_1)(vx, vy, vz, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), clock, time_limit, per_reach, free_time, lift, gap_jerk, gap_snap, FIXED(21), FIXED(161), FIXED(132));
         EACH(GET, _separated_1, when)
         BOUNDS(EACH(SET, _separated_1, undecided_time))
         CALL(court_detachment, _detachment_1)();
@@ -1757,10 +1772,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         const M rows = mask_first_n(in_contact_shots - i);
         if (LANES_SELDOM(varying))
             LOOP(fix_in_contact_rows_1)(worklist, i);
-        EACH(LOAD, in_contact_, circled, clock, held, last, mode, through, vx, vy, vz, wx, wy, wz)
-        EACH(LOAD, in_contact_, x, y, z)
-        BOUNDS(EACH(LOAD, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, grip_lost))
-        BOUNDS(EACH(LOAD, in_contact_, last_grip_clock, last_grip_deficit, last_grip_deficit_rate))
+        EACH(LOAD, in_contact_, clock, held, last, mode)
         BOUNDS(EACH(LOAD, in_contact_, position_error, velocity_error))
         CALL(court_resumed, _resumed_1)(last, OR_ZERO(position_error), OR_ZERO(velocity_error), clock, mode);
         EACH(GET, _resumed_1, which, began, nx, ny, nz, gap, bent_x, bent_y, bent_z, lift, gap_jerk)
@@ -1769,30 +1781,32 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         BOUNDS(EACH(GET, _resumed_1, earliest_delay, undecided_time))
         const M _if_begins_1 = lanes_both(rows, begins);
         if (lanes_any(_if_begins_1)) {
+            EACH(LOAD, in_contact_, circled, vx, vy, vz, wx, wy, wz, x, y, z)
+            BOUNDS(EACH(LOAD, in_contact_, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, last_grip_deficit))
             CALL(court_holding, _holding_1)(K(0.0), held);
             EACH(GET_MASK, _holding_1, here)
             const M _if_here_1 = lanes_both(_if_begins_1, here);
             {
-                CALL(court_ring_normal, _ring_normal_1)(x, y, z, FIXED(7), FIXED(109));
+                CALL(court_ring_normal, _ring_normal_1)(x, y, z, FIXED(7), FIXED(107));
                 EACH(SELECT, (_if_here_1, _ring_normal_1), nx, ny, nz)
             }
             CALL(court_holding, _holding_2)(K(1.0), held);
             EACH(SET, _holding_2, here)
             const M _if_here_2 = lanes_both(_if_begins_1, here);
             if (lanes_any(_if_here_2)) {
-                CALL(court_backboard_normal, _backboard_normal_1)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(110));
+                CALL(court_backboard_normal, _backboard_normal_1)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
                 EACH(SELECT, (_if_here_2, _backboard_normal_1), nx, ny, nz)
             }
             CALL(court_holding, _holding_3)(K(2.0), held);
             EACH(SET, _holding_3, here)
             const M _if_here_3 = lanes_both(_if_begins_1, here);
             if (lanes_any(_if_here_3)) {
-                CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(110));
+                CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108));
                 EACH(SELECT, (_if_here_3, _bridge_normal_1), nx, ny, nz)
             }
             CALL(court_roll_turn_rate, _roll_turn_rate_1)(nx, ny, nz, wx, wy, wz, FIXED(6));
             EACH(GET, _roll_turn_rate_1, turn_rate)
-            CALL(court_gripped, _gripped_1)(nx, ny, nz, vx, vy, vz, wx, wy, wz, FIXED(6), FIXED(111));
+            CALL(court_gripped, _gripped_1)(nx, ny, nz, vx, vy, vz, wx, wy, wz, FIXED(6), FIXED(109));
             EACH(GET, _gripped_1, rolled_x, rolled_y, rolled_z)
             CALL(court_holding, _holding_4)(K(0.0), held);
             EACH(SET, _holding_4, here)
@@ -1815,27 +1829,31 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
                 CALL(court_bridge_distance, _bridge_distance_1)(x, y, z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
                 EACH(SELECT, (_if_here_6, _bridge_distance_1), gap)
             }
-            CALL(court_roll_placed, _roll_placed_1)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, gap, turn_rate, FIXED(112));
+            CALL(court_roll_placed, _roll_placed_1)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, gap, turn_rate, FIXED(110));
             EACH(SELECT, (_if_begins_1, _roll_placed_1), x, y, z, vx, vy, vz, wx, wy, wz)
 #if BOUNDED
-            CALL(court_jump_errors, _jump_errors_1)(vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(113), FIXED(114), FIXED(115));
+            CALL(court_jump_errors, _jump_errors_1)(vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(111), FIXED(112), FIXED(113));
             EACH(SELECT, (_if_begins_1, _jump_errors_1), dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz)
             CALL(court_forget_grip_deficit, _forget_grip_deficit_1)();
             EACH(SELECT, (_if_begins_1, _forget_grip_deficit_1), last_grip_deficit)
 #endif
             CALL(court_beginning_contact, _beginning_contact_1)();
             EACH(SELECT, (_if_begins_1, _beginning_contact_1), which, circled)
+            EACH(STORE, in_contact_, circled, vx, vy, vz, wx, wy, wz, x, y, z)
+            BOUNDS(EACH(STORE, in_contact_, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, last_grip_deficit))
         }
         CALL(court_circles, _circles_1)(K(0.0), held, rolling);
         EACH(GET_MASK, _circles_1, circling)
         EACH(SET, _circles_1, rolling)
-        EACH(STORE, in_contact_, began, circled, gap_jerk, gap_snap, lift, per_reach, vx, vy, vz)
-        EACH(STORE, in_contact_, which, wx, wy, wz, x, y, z)
+        EACH(STORE, in_contact_, began, gap_jerk, gap_snap, lift, per_reach, which)
         EACH(STORE_MASK, in_contact_, circling, leaves, rolling)
-        BOUNDS(EACH(STORE, in_contact_, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, earliest_delay))
-        BOUNDS(EACH(STORE, in_contact_, last_grip_deficit, undecided_time))
+        BOUNDS(EACH(STORE, in_contact_, earliest_delay, undecided_time))
         const M packed = lanes_both(rows, rolling);
         if (lanes_any(packed)) {
+            EACH(LOAD, in_contact_, through, vx, vy, vz, wx, wy, wz, x, y, z)
+            BOUNDS(EACH(LOAD, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
+            BOUNDS(EACH(LOAD, in_contact_, grip_lost, last_grip_clock, last_grip_deficit))
+            BOUNDS(EACH(LOAD, in_contact_, last_grip_deficit_rate))
             lanes_pack(worklist->in_contact_rolling_row + in_contact_rolling_shots, packed, lanes_add(iota(), K((double)i)));
             EACH(PACK, in_contact_rolling_, bent_x, bent_y, bent_z, clock, held, nx, ny, nz)
             EACH(PACK, in_contact_rolling_, per_reach, through, vx, vy, vz, which, wx, wy, wz, x, y)
@@ -1912,9 +1930,9 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(GET_MASK, _holding_1, here)
             const M _if_here_1 = lanes_both(active, here);
             if (lanes_any(_if_here_1)) {
-                CALL(court_backboard_normal, _backboard_normal_1)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(110));
+                CALL(court_backboard_normal, _backboard_normal_1)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
                 EACH(SELECT, (_if_here_1, _backboard_normal_1), nx, ny, nz)
-                CALL(court_backboard_rolling_surface, _backboard_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(116), FIXED(117), FIXED(15), FIXED(118), FIXED(119), FIXED(120), FIXED(121), FIXED(112));
+                CALL(court_backboard_rolling_surface, _backboard_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(114), FIXED(115), FIXED(15), FIXED(116), FIXED(117), FIXED(118), FIXED(119), FIXED(110));
                 EACH(SELECT, (_if_here_1, _backboard_rolling_surface_1), bent_x, bent_y, bent_z)
                 EACH(SELECT, (_if_here_1, _backboard_rolling_surface_1), per_reach)
             }
@@ -1922,50 +1940,50 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _holding_2, here)
             const M _if_here_2 = lanes_both(active, here);
             if (lanes_any(_if_here_2)) {
-                CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(110));
+                CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108));
                 EACH(SELECT, (_if_here_2, _bridge_normal_1), nx, ny, nz)
-                CALL(court_bridge_rolling_surface, _bridge_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(122), FIXED(123), FIXED(124), FIXED(125), FIXED(126), FIXED(127), FIXED(16), FIXED(112));
+                CALL(court_bridge_rolling_surface, _bridge_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(120), FIXED(121), FIXED(122), FIXED(123), FIXED(124), FIXED(125), FIXED(16), FIXED(110));
                 EACH(SELECT, (_if_here_2, _bridge_rolling_surface_1), bent_x, bent_y, bent_z)
                 EACH(SELECT, (_if_here_2, _bridge_rolling_surface_1), per_reach)
             }
             CALL(court_roll_start, _roll_start_1)(nx, ny, nz, vx, vy, vz, wx, wy, wz, FIXED(6));
             EACH(GET, _roll_start_1, vx_0, vy_0, vz_0, nx_0, ny_0, nz_0, turn_rate_0)
-            CALL(court_roll_0, _roll_0_1)(nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0, FIXED(21), FIXED(128), FIXED(111), FIXED(129));
+            CALL(court_roll_0, _roll_0_1)(nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0, FIXED(21), FIXED(126), FIXED(109), FIXED(127));
             EACH(GET, _roll_0_1, lift_0, tx_0, ty_0, tz_0, vx_1, vy_1, vz_1, nx_1, ny_1, nz_1)
             EACH(GET, _roll_0_1, turn_rate_1)
-            CALL(court_roll_1, _roll_1_1)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0, FIXED(21), FIXED(128), FIXED(111));
+            CALL(court_roll_1, _roll_1_1)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0, FIXED(21), FIXED(126), FIXED(109));
             EACH(GET, _roll_1_1, lift_1, tx_1, ty_1, tz_1, vx_2, vy_2, vz_2, nx_2, ny_2, nz_2)
             EACH(GET, _roll_1_1, turn_rate_2)
-            CALL(court_roll_2, _roll_2_1)(nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, FIXED(21), FIXED(128), FIXED(111));
+            CALL(court_roll_2, _roll_2_1)(nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, FIXED(21), FIXED(126), FIXED(109));
             EACH(GET, _roll_2_1, lift_2, tx_2, ty_2, tz_2, vx_3, vy_3, vz_3, nx_3, ny_3, nz_3)
             EACH(GET, _roll_2_1, turn_rate_3)
-            CALL(court_roll_3, _roll_3_1)(nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, FIXED(21), FIXED(128), FIXED(111));
+            CALL(court_roll_3, _roll_3_1)(nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, FIXED(21), FIXED(126), FIXED(109));
             EACH(GET, _roll_3_1, lift_3, tx_3, ty_3, tz_3, vx_4, vy_4, vz_4, nx_4, ny_4, nz_4)
             EACH(GET, _roll_3_1, turn_rate_4)
-            CALL(court_roll_4, _roll_4_1)(nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, FIXED(21), FIXED(128), FIXED(111));
+            CALL(court_roll_4, _roll_4_1)(nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, FIXED(21), FIXED(126), FIXED(109));
             EACH(GET, _roll_4_1, lift_4, tx_4, ty_4, tz_4, vx_5, vy_5, vz_5, nx_5, ny_5, nz_5)
             EACH(GET, _roll_4_1, turn_rate_5)
-            CALL(court_roll_5, _roll_5_1)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, FIXED(21), FIXED(128), FIXED(111));
+            CALL(court_roll_5, _roll_5_1)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, FIXED(21), FIXED(126), FIXED(109));
             EACH(GET, _roll_5_1, lift_5, tx_5, ty_5, tz_5, vx_6, vy_6, vz_6, nx_6, ny_6, nz_6)
             EACH(GET, _roll_5_1, turn_rate_6)
-            CALL(court_roll_6, _roll_6_1)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, FIXED(21), FIXED(128), FIXED(111));
+            CALL(court_roll_6, _roll_6_1)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, FIXED(21), FIXED(126), FIXED(109));
             EACH(GET, _roll_6_1, lift_6, tx_6, ty_6, tz_6, vx_7, vy_7, vz_7, nx_7, ny_7, nz_7)
             EACH(GET, _roll_6_1, turn_rate_7)
-            CALL(court_roll_7, _roll_7_1)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, FIXED(21), FIXED(128), FIXED(111));
+            CALL(court_roll_7, _roll_7_1)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, FIXED(21), FIXED(126), FIXED(109));
             EACH(GET, _roll_7_1, lift_7, vx_8, vy_8, vz_8, nx_8, ny_8, nz_8, turn_rate_8)
-            CALL(court_roll_step, _roll_step_1)(nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, FIXED(21), FIXED(130), FIXED(111));
+            CALL(court_roll_step, _roll_step_1)(nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7, FIXED(21), FIXED(128), FIXED(109));
             EACH(GET, _roll_step_1, stride, strongest, fastest, force, force_rate, force_bend)
             EACH(GET, _roll_step_1, friction_force_rate)
 #if BOUNDED
             EACH(GET, _roll_step_1, missed)
-            CALL(court_ring_friction, _ring_friction_1)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, FIXED(21), FIXED(111));
+            CALL(court_ring_friction, _ring_friction_1)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, FIXED(21), FIXED(109));
             EACH(GET, _ring_friction_1, rolling_friction, rolling_friction_rate, grip_deficit)
             EACH(GET, _ring_friction_1, grip_deficit_rate)
             CALL(court_holding, _holding_3)(K(1.0), held);
             EACH(SET, _holding_3, here)
             const M _if_here_3 = lanes_both(active, here);
             {
-                CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_1)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(131));
+                CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_1)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(129));
                 EACH(SELECT, (_if_here_3, _ring_impact_grip_deficit_1), grip_deficit)
                 EACH(SELECT, (_if_here_3, _ring_impact_grip_deficit_1), grip_deficit_rate)
             }
@@ -1973,7 +1991,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _holding_4, here)
             const M _if_here_4 = lanes_both(active, here);
             {
-                CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_2)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(132));
+                CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_2)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(130));
                 EACH(SELECT, (_if_here_4, _ring_impact_grip_deficit_2), grip_deficit)
                 EACH(SELECT, (_if_here_4, _ring_impact_grip_deficit_2), grip_deficit_rate)
             }
@@ -1988,7 +2006,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _remember_grip_deficit_1, last_grip_deficit, last_grip_deficit_rate)
             EACH(SET, _remember_grip_deficit_1, last_grip_clock)
 #endif
-            CALL(court_leaving_force, _leaving_force_1)(vx, vx_1, vy, vy_1, vz, vz_1, which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest, FIXED(21), FIXED(133), FIXED(134));
+            CALL(court_leaving_force, _leaving_force_1)(vx, vx_1, vy, vy_1, vz, vz_1, which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest, FIXED(21), FIXED(131), FIXED(132));
             EACH(SET, _leaving_force_1, stride, which)
             EACH(GET_MASK, _leaving_force_1, rests)
             BOUNDS(EACH(SET, _leaving_force_1, undecided_time))
@@ -1996,9 +2014,9 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(GET_MASK, _beside_1, beside)
             const M _if_beside_1 = lanes_both(active, beside);
             if (lanes_any(_if_beside_1)) {
-                CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(41), FIXED(135));
+                CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(41), FIXED(133));
                 EACH(GET, _ring_beside_1, gap, nearing, gap_curvature)
-                CALL(court_beside_body, _beside_body_1)(x, y, z, gap, K(0.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(113));
+                CALL(court_beside_body, _beside_body_1)(x, y, z, gap, K(0.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
                 EACH(SELECT, (_if_beside_1, _beside_body_1), stride, which)
                 BOUNDS(EACH(SELECT, (_if_beside_1, _beside_body_1), undecided_time, earliest_delay))
             }
@@ -2008,7 +2026,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             if (lanes_any(_if_beside_2)) {
                 CALL(court_backboard_beside, _backboard_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
                 EACH(GET, _backboard_beside_1, gap, nearing, gap_curvature)
-                CALL(court_beside_body, _beside_body_2)(x, y, z, gap, K(1.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(113));
+                CALL(court_beside_body, _beside_body_2)(x, y, z, gap, K(1.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
                 EACH(SELECT, (_if_beside_2, _beside_body_2), stride, which)
                 BOUNDS(EACH(SELECT, (_if_beside_2, _beside_body_2), undecided_time, earliest_delay))
             }
@@ -2018,7 +2036,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             if (lanes_any(_if_beside_3)) {
                 CALL(court_bridge_beside, _bridge_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
                 EACH(GET, _bridge_beside_1, gap, nearing, gap_curvature)
-                CALL(court_beside_body, _beside_body_3)(x, y, z, gap, K(2.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(113));
+                CALL(court_beside_body, _beside_body_3)(x, y, z, gap, K(2.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
                 EACH(SELECT, (_if_beside_3, _beside_body_3), stride, which)
                 BOUNDS(EACH(SELECT, (_if_beside_3, _beside_body_3), undecided_time, earliest_delay))
             }
@@ -2038,7 +2056,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             const M _if_here_3 = lanes_both(active, here);
             if (lanes_any(_if_here_3)) {
 #endif
-                CALL(court_backboard_seam0, _backboard_seam0_1)(x, vx, FIXED(15), FIXED(116));
+                CALL(court_backboard_seam0, _backboard_seam0_1)(x, vx, FIXED(15), FIXED(114));
 #if BOUNDED
                 EACH(SELECT, (_if_here_5, _backboard_seam0_1), gap)
 #else
@@ -2051,7 +2069,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_3, _beside_seam_1), stride)
 #endif
-                CALL(court_backboard_seam1, _backboard_seam1_1)(x, vx, FIXED(9), FIXED(116));
+                CALL(court_backboard_seam1, _backboard_seam1_1)(x, vx, FIXED(9), FIXED(114));
 #if BOUNDED
                 EACH(SELECT, (_if_here_5, _backboard_seam1_1), gap)
 #else
@@ -2064,7 +2082,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_3, _beside_seam_2), stride)
 #endif
-                CALL(court_backboard_seam2, _backboard_seam2_1)(y, vy, FIXED(10), FIXED(118));
+                CALL(court_backboard_seam2, _backboard_seam2_1)(y, vy, FIXED(10), FIXED(116));
 #if BOUNDED
                 EACH(SELECT, (_if_here_5, _backboard_seam2_1), gap)
 #else
@@ -2077,7 +2095,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_3, _beside_seam_3), stride)
 #endif
-                CALL(court_backboard_seam3, _backboard_seam3_1)(y, vy, FIXED(10), FIXED(118));
+                CALL(court_backboard_seam3, _backboard_seam3_1)(y, vy, FIXED(10), FIXED(116));
 #if BOUNDED
                 EACH(SELECT, (_if_here_5, _backboard_seam3_1), gap)
 #else
@@ -2090,7 +2108,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_3, _beside_seam_4), stride)
 #endif
-                CALL(court_backboard_seam4, _backboard_seam4_1)(z, vz, FIXED(11), FIXED(120));
+                CALL(court_backboard_seam4, _backboard_seam4_1)(z, vz, FIXED(11), FIXED(118));
 #if BOUNDED
                 EACH(SELECT, (_if_here_5, _backboard_seam4_1), gap)
 #else
@@ -2103,7 +2121,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_3, _beside_seam_5), stride)
 #endif
-                CALL(court_backboard_seam5, _backboard_seam5_1)(z, vz, FIXED(12), FIXED(120));
+                CALL(court_backboard_seam5, _backboard_seam5_1)(z, vz, FIXED(12), FIXED(118));
 #if BOUNDED
                 EACH(SELECT, (_if_here_5, _backboard_seam5_1), gap)
 #else
@@ -2128,7 +2146,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             const M _if_here_4 = lanes_both(active, here);
             if (lanes_any(_if_here_4)) {
 #endif
-                CALL(court_bridge_seam0, _bridge_seam0_1)(x, vx, FIXED(9), FIXED(122));
+                CALL(court_bridge_seam0, _bridge_seam0_1)(x, vx, FIXED(9), FIXED(120));
 #if BOUNDED
                 EACH(SELECT, (_if_here_6, _bridge_seam0_1), gap)
 #else
@@ -2141,7 +2159,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_4, _beside_seam_7), stride)
 #endif
-                CALL(court_bridge_seam1, _bridge_seam1_1)(x, vx, FIXED(7), FIXED(122));
+                CALL(court_bridge_seam1, _bridge_seam1_1)(x, vx, FIXED(7), FIXED(120));
 #if BOUNDED
                 EACH(SELECT, (_if_here_6, _bridge_seam1_1), gap)
 #else
@@ -2154,7 +2172,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_4, _beside_seam_8), stride)
 #endif
-                CALL(court_bridge_seam2, _bridge_seam2_1)(y, vy, FIXED(13), FIXED(124));
+                CALL(court_bridge_seam2, _bridge_seam2_1)(y, vy, FIXED(13), FIXED(122));
 #if BOUNDED
                 EACH(SELECT, (_if_here_6, _bridge_seam2_1), gap)
 #else
@@ -2167,7 +2185,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_4, _beside_seam_9), stride)
 #endif
-                CALL(court_bridge_seam3, _bridge_seam3_1)(y, vy, FIXED(13), FIXED(124));
+                CALL(court_bridge_seam3, _bridge_seam3_1)(y, vy, FIXED(13), FIXED(122));
 #if BOUNDED
                 EACH(SELECT, (_if_here_6, _bridge_seam3_1), gap)
 #else
@@ -2180,7 +2198,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_4, _beside_seam_10), stride)
 #endif
-                CALL(court_bridge_seam4, _bridge_seam4_1)(z, vz, FIXED(136), FIXED(8), FIXED(126));
+                CALL(court_bridge_seam4, _bridge_seam4_1)(z, vz, FIXED(134), FIXED(8), FIXED(124));
 #if BOUNDED
                 EACH(SELECT, (_if_here_6, _bridge_seam4_1), gap)
 #else
@@ -2193,7 +2211,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #else
                 EACH(SELECT, (_if_here_4, _beside_seam_11), stride)
 #endif
-                CALL(court_bridge_seam5, _bridge_seam5_1)(z, vz, FIXED(8), FIXED(126));
+                CALL(court_bridge_seam5, _bridge_seam5_1)(z, vz, FIXED(8), FIXED(124));
 #if BOUNDED
                 EACH(SELECT, (_if_here_6, _bridge_seam5_1), gap)
 #else
@@ -2210,7 +2228,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             CALL(court_beside_time, _beside_time_1)(which, clock, time_limit, stride);
             EACH(SET, _beside_time_1, stride, which)
 #if BOUNDED
-            CALL(court_neighbour_scale, _neighbour_scale_1)(dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(137), FIXED(138));
+            CALL(court_neighbour_scale, _neighbour_scale_1)(dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(135), FIXED(136));
             EACH(GET, _neighbour_scale_1, neighbour_scale)
             CALL(court_neighbour, _neighbour_1)(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
             EACH(GET, _neighbour_1, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy)
@@ -2232,7 +2250,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             const M _if_here_5 = lanes_both(active, here);
             if (lanes_any(_if_here_5)) {
 #endif
-                CALL(court_backboard_normal, _backboard_normal_2)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(110));
+                CALL(court_backboard_normal, _backboard_normal_2)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
 #if BOUNDED
                 EACH(SELECT, (_if_here_7, _backboard_normal_2), nx, ny, nz)
 #else
@@ -2256,7 +2274,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             const M _if_here_6 = lanes_both(active, here);
             if (lanes_any(_if_here_6)) {
 #endif
-                CALL(court_bridge_normal, _bridge_normal_2)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(110));
+                CALL(court_bridge_normal, _bridge_normal_2)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108));
 #if BOUNDED
                 EACH(SELECT, (_if_here_8, _bridge_normal_2), nx, ny, nz)
 #else
@@ -2269,7 +2287,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
                 EACH(SELECT, (_if_here_6, _bridge_distance_1), gap)
 #endif
             }
-            CALL(court_roll_placed, _roll_placed_1)(x, y, z, nx, ny, nz, vx, vy, vz, gap, turn_rate, FIXED(112));
+            CALL(court_roll_placed, _roll_placed_1)(x, y, z, nx, ny, nz, vx, vy, vz, gap, turn_rate, FIXED(110));
             EACH(SET, _roll_placed_1, x, y, z, vx, vy, vz, wx, wy, wz)
             CALL(court_passing_in_contact, _passing_in_contact_1)(x, y, z, through, over, FIXED(19));
             EACH(SET, _passing_in_contact_1, through)
@@ -2278,7 +2296,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _holding_9, here)
             const M _if_here_9 = lanes_both(active, here);
             if (lanes_any(_if_here_9)) {
-                CALL(court_backboard_normal, _backboard_normal_3)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(110));
+                CALL(court_backboard_normal, _backboard_normal_3)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
                 far_nx = lanes_select(_if_here_9, _backboard_normal_3.nx, far_nx);
                 far_ny = lanes_select(_if_here_9, _backboard_normal_3.ny, far_ny);
                 far_nz = lanes_select(_if_here_9, _backboard_normal_3.nz, far_nz);
@@ -2287,7 +2305,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _holding_10, here)
             const M _if_here_10 = lanes_both(active, here);
             if (lanes_any(_if_here_10)) {
-                CALL(court_bridge_normal, _bridge_normal_3)(far_x, far_y, far_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(110));
+                CALL(court_bridge_normal, _bridge_normal_3)(far_x, far_y, far_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108));
                 far_nx = lanes_select(_if_here_10, _bridge_normal_3.nx, far_nx);
                 far_ny = lanes_select(_if_here_10, _bridge_normal_3.ny, far_ny);
                 far_nz = lanes_select(_if_here_10, _bridge_normal_3.nz, far_nz);
@@ -2298,7 +2316,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _holding_11, here)
             const M _if_here_11 = lanes_both(active, here);
             if (lanes_any(_if_here_11)) {
-                CALL(court_backboard_normal, _backboard_normal_4)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(110));
+                CALL(court_backboard_normal, _backboard_normal_4)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
                 far_nx = lanes_select(_if_here_11, _backboard_normal_4.nx, far_nx);
                 far_ny = lanes_select(_if_here_11, _backboard_normal_4.ny, far_ny);
                 far_nz = lanes_select(_if_here_11, _backboard_normal_4.nz, far_nz);
@@ -2309,14 +2327,14 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _holding_12, here)
             const M _if_here_12 = lanes_both(active, here);
             if (lanes_any(_if_here_12)) {
-                CALL(court_bridge_normal, _bridge_normal_4)(far_x, far_y, far_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(110));
+                CALL(court_bridge_normal, _bridge_normal_4)(far_x, far_y, far_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108));
                 far_nx = lanes_select(_if_here_12, _bridge_normal_4.nx, far_nx);
                 far_ny = lanes_select(_if_here_12, _bridge_normal_4.ny, far_ny);
                 far_nz = lanes_select(_if_here_12, _bridge_normal_4.nz, far_nz);
                 CALL(court_bridge_distance, _bridge_distance_2)(far_x, far_y, far_z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
                 far_gap = lanes_select(_if_here_12, _bridge_distance_2.gap, far_gap);
             }
-            CALL(court_roll_placed, _roll_placed_2)(far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate, FIXED(112));
+            CALL(court_roll_placed, _roll_placed_2)(far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate, FIXED(110));
             far_x = _roll_placed_2.x;
             far_y = _roll_placed_2.y;
             far_z = _roll_placed_2.z;
@@ -2328,28 +2346,28 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             far_wz = _roll_placed_2.wz;
             CALL(court_roll_start, _roll_start_2)(far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, FIXED(6));
             EACH(SET, _roll_start_2, vx_0, vy_0, vz_0, nx_0, ny_0, nz_0, turn_rate_0)
-            CALL(court_roll_0, _roll_0_2)(nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0, FIXED(21), FIXED(128), FIXED(111), FIXED(129));
+            CALL(court_roll_0, _roll_0_2)(nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0, FIXED(21), FIXED(126), FIXED(109), FIXED(127));
             EACH(SET, _roll_0_2, lift_0, tx_0, ty_0, tz_0, vx_1, vy_1, vz_1, nx_1, ny_1, nz_1)
             EACH(SET, _roll_0_2, turn_rate_1)
-            CALL(court_roll_1, _roll_1_2)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0, FIXED(21), FIXED(128), FIXED(111));
+            CALL(court_roll_1, _roll_1_2)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0, FIXED(21), FIXED(126), FIXED(109));
             EACH(SET, _roll_1_2, lift_1, tx_1, ty_1, tz_1, vx_2, vy_2, vz_2, nx_2, ny_2, nz_2)
             EACH(SET, _roll_1_2, turn_rate_2)
-            CALL(court_roll_2, _roll_2_2)(nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, FIXED(21), FIXED(128), FIXED(111));
+            CALL(court_roll_2, _roll_2_2)(nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, FIXED(21), FIXED(126), FIXED(109));
             EACH(SET, _roll_2_2, lift_2, tx_2, ty_2, tz_2, vx_3, vy_3, vz_3, nx_3, ny_3, nz_3)
             EACH(SET, _roll_2_2, turn_rate_3)
-            CALL(court_roll_3, _roll_3_2)(nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, FIXED(21), FIXED(128), FIXED(111));
+            CALL(court_roll_3, _roll_3_2)(nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2, FIXED(21), FIXED(126), FIXED(109));
             EACH(SET, _roll_3_2, lift_3, tx_3, ty_3, tz_3, vx_4, vy_4, vz_4, nx_4, ny_4, nz_4)
             EACH(SET, _roll_3_2, turn_rate_4)
-            CALL(court_roll_4, _roll_4_2)(nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, FIXED(21), FIXED(128), FIXED(111));
+            CALL(court_roll_4, _roll_4_2)(nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3, FIXED(21), FIXED(126), FIXED(109));
             EACH(SET, _roll_4_2, lift_4, tx_4, ty_4, tz_4, vx_5, vy_5, vz_5, nx_5, ny_5, nz_5)
             EACH(SET, _roll_4_2, turn_rate_5)
-            CALL(court_roll_5, _roll_5_2)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, FIXED(21), FIXED(128), FIXED(111));
+            CALL(court_roll_5, _roll_5_2)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4, FIXED(21), FIXED(126), FIXED(109));
             EACH(SET, _roll_5_2, lift_5, tx_5, ty_5, tz_5, vx_6, vy_6, vz_6, nx_6, ny_6, nz_6)
             EACH(SET, _roll_5_2, turn_rate_6)
-            CALL(court_roll_6, _roll_6_2)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, FIXED(21), FIXED(128), FIXED(111));
+            CALL(court_roll_6, _roll_6_2)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, FIXED(21), FIXED(126), FIXED(109));
             EACH(SET, _roll_6_2, lift_6, tx_6, ty_6, tz_6, vx_7, vy_7, vz_7, nx_7, ny_7, nz_7)
             EACH(SET, _roll_6_2, turn_rate_7)
-            CALL(court_roll_7, _roll_7_2)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, FIXED(21), FIXED(128), FIXED(111));
+            CALL(court_roll_7, _roll_7_2)(nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6, FIXED(21), FIXED(126), FIXED(109));
             EACH(SET, _roll_7_2, vx_8, vy_8, vz_8, turn_rate_8)
             CALL(court_roll_moved, _roll_moved_2)(far_x, far_y, far_z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
             far_x = _roll_moved_2.x;
@@ -2363,7 +2381,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _holding_13, here)
             const M _if_here_13 = lanes_both(active, here);
             if (lanes_any(_if_here_13)) {
-                CALL(court_backboard_normal, _backboard_normal_5)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(110));
+                CALL(court_backboard_normal, _backboard_normal_5)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
                 far_nx = lanes_select(_if_here_13, _backboard_normal_5.nx, far_nx);
                 far_ny = lanes_select(_if_here_13, _backboard_normal_5.ny, far_ny);
                 far_nz = lanes_select(_if_here_13, _backboard_normal_5.nz, far_nz);
@@ -2374,14 +2392,14 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _holding_14, here)
             const M _if_here_14 = lanes_both(active, here);
             if (lanes_any(_if_here_14)) {
-                CALL(court_bridge_normal, _bridge_normal_5)(far_x, far_y, far_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(110));
+                CALL(court_bridge_normal, _bridge_normal_5)(far_x, far_y, far_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108));
                 far_nx = lanes_select(_if_here_14, _bridge_normal_5.nx, far_nx);
                 far_ny = lanes_select(_if_here_14, _bridge_normal_5.ny, far_ny);
                 far_nz = lanes_select(_if_here_14, _bridge_normal_5.nz, far_nz);
                 CALL(court_bridge_distance, _bridge_distance_3)(far_x, far_y, far_z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
                 far_gap = lanes_select(_if_here_14, _bridge_distance_3.gap, far_gap);
             }
-            CALL(court_roll_placed, _roll_placed_3)(far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate, FIXED(112));
+            CALL(court_roll_placed, _roll_placed_3)(far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate, FIXED(110));
             far_x = _roll_placed_3.x;
             far_y = _roll_placed_3.y;
             far_z = _roll_placed_3.z;
@@ -2465,13 +2483,13 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #endif
     for (size_t i = 0; i < in_contact_shots; i += LANES_WIDTH) {
         const M rows = mask_first_n(in_contact_shots - i);
-        EACH(LOAD, in_contact_, circled, clock, through, vx, vy, vz, which, wx, wy, wz, x, y, z)
         EACH(LOAD_MASK, in_contact_, circling)
-        BOUNDS(EACH(LOAD, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-        BOUNDS(EACH(LOAD, in_contact_, earliest_delay, grip_lost, last_grip_clock, last_grip_deficit))
-        BOUNDS(EACH(LOAD, in_contact_, last_grip_deficit_rate, undecided_time))
         const M packed = lanes_both(rows, circling);
         if (lanes_any(packed)) {
+            EACH(LOAD, in_contact_, circled, clock, through, vx, vy, vz, which, wx, wy, wz, x, y, z)
+            BOUNDS(EACH(LOAD, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
+            BOUNDS(EACH(LOAD, in_contact_, earliest_delay, grip_lost, last_grip_clock, last_grip_deficit))
+            BOUNDS(EACH(LOAD, in_contact_, last_grip_deficit_rate, undecided_time))
             lanes_pack(worklist->in_contact_circling_row + in_contact_circling_shots, packed, lanes_add(iota(), K((double)i)));
             EACH(PACK, in_contact_circling_, circled, clock, through, vx, vy, vz, which, wx, wy, wz)
             EACH(PACK, in_contact_circling_, x, y, z)
@@ -2541,56 +2559,56 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             CALL(court_error_bounds, _error_bounds_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
             EACH(GET, _error_bounds_1, position_error, velocity_error)
 #endif
-            CALL(court_ring_rolling_surface, _ring_rolling_surface_1)(FIXED(109));
+            CALL(court_ring_rolling_surface, _ring_rolling_surface_1)(FIXED(107));
             EACH(GET, _ring_rolling_surface_1, per_reach)
-            CALL(court_ring_round_start, _ring_round_start_1)(x, y, z, vx, vy, vz, wx, wy, wz, per_reach, FIXED(6), FIXED(7), FIXED(111), FIXED(135));
+            CALL(court_ring_round_start, _ring_round_start_1)(x, y, z, vx, vy, vz, wx, wy, wz, per_reach, FIXED(6), FIXED(7), FIXED(109), FIXED(133));
             EACH(GET, _ring_round_start_1, cosine_0, sine_0, climb_0, along_0, turn_rate_0, cos_0)
             EACH(GET, _ring_round_start_1, sin_0, tilted_0, near_0)
-            CALL(court_ring_round_0, _ring_round_0_1)(per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0, FIXED(21), FIXED(7), FIXED(128), FIXED(135), FIXED(111), FIXED(139));
+            CALL(court_ring_round_0, _ring_round_0_1)(per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0, FIXED(21), FIXED(7), FIXED(126), FIXED(133), FIXED(109), FIXED(137));
             EACH(GET, _ring_round_0_1, omega_0, around_0, cosine_1, sine_1, climb_1, along_1)
             EACH(GET, _ring_round_0_1, turn_rate_1, tilted_1)
-            CALL(court_ring_round_1, _ring_round_1_1)(per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(140), FIXED(139));
+            CALL(court_ring_round_1, _ring_round_1_1)(per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(138), FIXED(137));
             EACH(GET, _ring_round_1_1, omega_1, around_1, cosine_2, sine_2, climb_2, along_2)
             EACH(GET, _ring_round_1_1, turn_rate_2, tilted_2)
-            CALL(court_ring_round_2, _ring_round_2_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(141), FIXED(139));
+            CALL(court_ring_round_2, _ring_round_2_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(139), FIXED(137));
             EACH(GET, _ring_round_2_1, omega_2, around_2, cosine_3, sine_3, climb_3, along_3)
             EACH(GET, _ring_round_2_1, turn_rate_3, tilted_3)
-            CALL(court_ring_round_3, _ring_round_3_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(142), FIXED(139));
+            CALL(court_ring_round_3, _ring_round_3_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(140), FIXED(137));
             EACH(GET, _ring_round_3_1, omega_3, around_3, cosine_4, sine_4, climb_4, along_4)
             EACH(GET, _ring_round_3_1, turn_rate_4, tilted_4)
-            CALL(court_ring_round_4, _ring_round_4_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(143), FIXED(139));
+            CALL(court_ring_round_4, _ring_round_4_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(141), FIXED(137));
             EACH(GET, _ring_round_4_1, omega_4, around_4, cosine_5, sine_5, climb_5, along_5)
             EACH(GET, _ring_round_4_1, turn_rate_5, tilted_5)
-            CALL(court_ring_round_5, _ring_round_5_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(144), FIXED(139));
+            CALL(court_ring_round_5, _ring_round_5_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(142), FIXED(137));
             EACH(GET, _ring_round_5_1, omega_5, around_5, cosine_6, sine_6, climb_6, along_6)
             EACH(GET, _ring_round_5_1, turn_rate_6, tilted_6)
-            CALL(court_ring_round_6, _ring_round_6_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(145), FIXED(139));
+            CALL(court_ring_round_6, _ring_round_6_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(143), FIXED(137));
             EACH(GET, _ring_round_6_1, omega_6, around_6, cosine_7, sine_7, climb_7, along_7)
             EACH(GET, _ring_round_6_1, turn_rate_7, tilted_7)
-            CALL(court_ring_round_7, _ring_round_7_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(146), FIXED(139));
+            CALL(court_ring_round_7, _ring_round_7_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(144), FIXED(137));
             EACH(GET, _ring_round_7_1, omega_7, around_7, cosine_8, sine_8, climb_8, along_8)
             EACH(GET, _ring_round_7_1, turn_rate_8, tilted_8)
-            CALL(court_ring_round_8, _ring_round_8_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(147), FIXED(139));
+            CALL(court_ring_round_8, _ring_round_8_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(145), FIXED(137));
             EACH(GET, _ring_round_8_1, omega_8, around_8, cosine_9, sine_9, climb_9, along_9)
             EACH(GET, _ring_round_8_1, turn_rate_9, tilted_9)
-            CALL(court_ring_round_9, _ring_round_9_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(148), FIXED(139));
+            CALL(court_ring_round_9, _ring_round_9_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(146), FIXED(137));
             EACH(GET, _ring_round_9_1, omega_9, around_9, cosine_10, sine_10, climb_10, along_10)
             EACH(GET, _ring_round_9_1, turn_rate_10, tilted_10)
-            CALL(court_ring_round_10, _ring_round_10_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(149), FIXED(139));
+            CALL(court_ring_round_10, _ring_round_10_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(147), FIXED(137));
             EACH(GET, _ring_round_10_1, omega_10, around_10, cosine_11, sine_11, climb_11, along_11)
             EACH(GET, _ring_round_10_1, turn_rate_11, tilted_11)
-            CALL(court_ring_round_11, _ring_round_11_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(150), FIXED(139));
+            CALL(court_ring_round_11, _ring_round_11_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(148), FIXED(137));
             EACH(GET, _ring_round_11_1, omega_11, cosine_12, sine_12, climb_12, along_12)
             EACH(GET, _ring_round_11_1, turn_rate_12)
-            CALL(court_ring_round_step, _ring_round_step_1)(per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(21), FIXED(130), FIXED(135), FIXED(151), FIXED(152), FIXED(153), FIXED(154));
+            CALL(court_ring_round_step, _ring_round_step_1)(per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(21), FIXED(128), FIXED(133), FIXED(149), FIXED(150), FIXED(151), FIXED(152));
             EACH(GET, _ring_round_step_1, stride, strongest, fastest, section_acceleration, force)
             EACH(GET, _ring_round_step_1, force_rate, force_bend, friction_force_rate, vx_1, vy_1)
             EACH(GET, _ring_round_step_1, vz_1)
 #if BOUNDED
             EACH(GET, _ring_round_step_1, missed)
-            CALL(court_ring_round_pulled, _ring_round_pulled_1)(turn_rate_0, turn_rate_1, climb_0, climb_1, cosine_0, cosine_1, omega_0, omega_1, FIXED(21), FIXED(111));
+            CALL(court_ring_round_pulled, _ring_round_pulled_1)(turn_rate_0, turn_rate_1, climb_0, climb_1, cosine_0, cosine_1, omega_0, omega_1, FIXED(21), FIXED(109));
             EACH(GET, _ring_round_pulled_1, rolling_friction, rolling_friction_rate)
-            CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_1)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(155));
+            CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_1)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(153));
             EACH(GET, _ring_impact_grip_deficit_1, grip_deficit, grip_deficit_rate)
             CALL(court_exceeds_grip, _exceeds_grip_1)(grip_deficit, grip_lost);
             EACH(GET_MASK, _exceeds_grip_1, loses)
@@ -2603,18 +2621,18 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _remember_grip_deficit_1, last_grip_deficit, last_grip_deficit_rate)
             EACH(SET, _remember_grip_deficit_1, last_grip_clock)
 #endif
-            CALL(court_leaving_force, _leaving_force_1)(vx, vx_1, vy, vy_1, vz, vz_1, which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest, FIXED(21), FIXED(133), FIXED(134));
+            CALL(court_leaving_force, _leaving_force_1)(vx, vx_1, vy, vy_1, vz, vz_1, which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest, FIXED(21), FIXED(131), FIXED(132));
             EACH(SET, _leaving_force_1, stride, which)
             EACH(GET_MASK, _leaving_force_1, rests)
             BOUNDS(EACH(SET, _leaving_force_1, undecided_time))
             CALL(court_backboard_beside, _backboard_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
             EACH(GET, _backboard_beside_1, gap, nearing, gap_curvature)
-            CALL(court_beside_body, _beside_body_1)(x, y, z, gap, K(1.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(113));
+            CALL(court_beside_body, _beside_body_1)(x, y, z, gap, K(1.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
             EACH(SET, _beside_body_1, stride, which)
             BOUNDS(EACH(SET, _beside_body_1, undecided_time, earliest_delay))
             CALL(court_bridge_beside, _bridge_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
             EACH(SET, _bridge_beside_1, gap, nearing, gap_curvature)
-            CALL(court_beside_body, _beside_body_2)(x, y, z, gap, K(2.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(113));
+            CALL(court_beside_body, _beside_body_2)(x, y, z, gap, K(2.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
             EACH(SET, _beside_body_2, stride, which)
             BOUNDS(EACH(SET, _beside_body_2, undecided_time, earliest_delay))
             CALL(court_end_beside, _end_beside_1)(z, vz, FIXED(18));
@@ -2625,7 +2643,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             CALL(court_beside_time, _beside_time_1)(which, clock, time_limit, stride);
             EACH(SET, _beside_time_1, stride, which)
 #if BOUNDED
-            CALL(court_neighbour_scale, _neighbour_scale_1)(dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(137), FIXED(138));
+            CALL(court_neighbour_scale, _neighbour_scale_1)(dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(135), FIXED(136));
             EACH(GET, _neighbour_scale_1, neighbour_scale)
             CALL(court_neighbour, _neighbour_1)(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
             EACH(GET, _neighbour_1, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy)
@@ -2637,11 +2655,11 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             V azimuth_clearance = _isolated_1.nearest;
             CALL(court_half_steps, _half_steps_1)(stride);
             EACH(GET, _half_steps_1, forth, back)
-            CALL(court_backboard_around, _backboard_around_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(12), FIXED(156));
+            CALL(court_backboard_around, _backboard_around_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(12), FIXED(154));
             EACH(SET, _backboard_around_1, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_1)(gap, nearing, forth, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_1, azimuth_clearance)
-            CALL(court_bridge_around, _bridge_around_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(8), FIXED(16), FIXED(157));
+            CALL(court_bridge_around, _bridge_around_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(8), FIXED(16), FIXED(155));
             EACH(SET, _bridge_around_1, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_2)(gap, nearing, forth, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_2, azimuth_clearance)
@@ -2649,16 +2667,16 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _end_around_1, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_3)(gap, nearing, forth, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_3, azimuth_clearance)
-            CALL(court_ring_round_moved, _ring_round_moved_1)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(7), FIXED(135), FIXED(112));
+            CALL(court_ring_round_moved, _ring_round_moved_1)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(7), FIXED(133), FIXED(110));
             EACH(SET, _ring_round_moved_1, x, y, z, vx, vy, vz, wx, wy, wz)
             EACH(GET, _ring_round_moved_1, climb)
             CALL(court_passing_in_contact, _passing_in_contact_1)(x, y, z, through, over, FIXED(19));
             EACH(SET, _passing_in_contact_1, through)
-            CALL(court_backboard_around, _backboard_around_2)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(12), FIXED(156));
+            CALL(court_backboard_around, _backboard_around_2)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(12), FIXED(154));
             EACH(SET, _backboard_around_2, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_4)(gap, nearing, back, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_4, azimuth_clearance)
-            CALL(court_bridge_around, _bridge_around_2)(x, y, z, vx, vy, vz, FIXED(6), FIXED(8), FIXED(16), FIXED(157));
+            CALL(court_bridge_around, _bridge_around_2)(x, y, z, vx, vy, vz, FIXED(6), FIXED(8), FIXED(16), FIXED(155));
             EACH(SET, _bridge_around_2, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_5)(gap, nearing, back, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_5, azimuth_clearance)
@@ -2666,53 +2684,53 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _end_around_2, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_6)(gap, nearing, back, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_6, azimuth_clearance)
-            CALL(court_ring_swung, _ring_swung_1)(which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance, FIXED(21), FIXED(135), FIXED(158), FIXED(159), FIXED(130), FIXED(109), FIXED(160));
+            CALL(court_ring_swung, _ring_swung_1)(which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance, FIXED(21), FIXED(133), FIXED(156), FIXED(157), FIXED(128), FIXED(107), FIXED(158));
             EACH(SET, _ring_swung_1, circled)
             EACH(GET_MASK, _ring_swung_1, endless)
             BOUNDS(EACH(SET, _ring_swung_1, undecided_time))
             CALL(court_rolls_for_ever, _rolls_for_ever_1)(which, endless);
             EACH(SET, _rolls_for_ever_1, which)
 #if BOUNDED
-            CALL(court_ring_round_start, _ring_round_start_2)(far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, per_reach, FIXED(6), FIXED(7), FIXED(111), FIXED(135));
+            CALL(court_ring_round_start, _ring_round_start_2)(far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, per_reach, FIXED(6), FIXED(7), FIXED(109), FIXED(133));
             EACH(SET, _ring_round_start_2, cosine_0, sine_0, climb_0, along_0, turn_rate_0, cos_0)
             EACH(SET, _ring_round_start_2, sin_0, tilted_0, near_0)
-            CALL(court_ring_round_0, _ring_round_0_2)(per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0, FIXED(21), FIXED(7), FIXED(128), FIXED(135), FIXED(111), FIXED(139));
+            CALL(court_ring_round_0, _ring_round_0_2)(per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0, FIXED(21), FIXED(7), FIXED(126), FIXED(133), FIXED(109), FIXED(137));
             EACH(SET, _ring_round_0_2, omega_0, around_0, cosine_1, sine_1, climb_1, along_1)
             EACH(SET, _ring_round_0_2, turn_rate_1, tilted_1)
-            CALL(court_ring_round_1, _ring_round_1_2)(per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(140), FIXED(139));
+            CALL(court_ring_round_1, _ring_round_1_2)(per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(138), FIXED(137));
             EACH(SET, _ring_round_1_2, omega_1, around_1, cosine_2, sine_2, climb_2, along_2)
             EACH(SET, _ring_round_1_2, turn_rate_2, tilted_2)
-            CALL(court_ring_round_2, _ring_round_2_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(141), FIXED(139));
+            CALL(court_ring_round_2, _ring_round_2_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(139), FIXED(137));
             EACH(SET, _ring_round_2_2, omega_2, around_2, cosine_3, sine_3, climb_3, along_3)
             EACH(SET, _ring_round_2_2, turn_rate_3, tilted_3)
-            CALL(court_ring_round_3, _ring_round_3_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(142), FIXED(139));
+            CALL(court_ring_round_3, _ring_round_3_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(140), FIXED(137));
             EACH(SET, _ring_round_3_2, omega_3, around_3, cosine_4, sine_4, climb_4, along_4)
             EACH(SET, _ring_round_3_2, turn_rate_4, tilted_4)
-            CALL(court_ring_round_4, _ring_round_4_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(143), FIXED(139));
+            CALL(court_ring_round_4, _ring_round_4_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(141), FIXED(137));
             EACH(SET, _ring_round_4_2, omega_4, around_4, cosine_5, sine_5, climb_5, along_5)
             EACH(SET, _ring_round_4_2, turn_rate_5, tilted_5)
-            CALL(court_ring_round_5, _ring_round_5_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(144), FIXED(139));
+            CALL(court_ring_round_5, _ring_round_5_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(142), FIXED(137));
             EACH(SET, _ring_round_5_2, omega_5, around_5, cosine_6, sine_6, climb_6, along_6)
             EACH(SET, _ring_round_5_2, turn_rate_6, tilted_6)
-            CALL(court_ring_round_6, _ring_round_6_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(145), FIXED(139));
+            CALL(court_ring_round_6, _ring_round_6_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(143), FIXED(137));
             EACH(SET, _ring_round_6_2, omega_6, around_6, cosine_7, sine_7, climb_7, along_7)
             EACH(SET, _ring_round_6_2, turn_rate_7, tilted_7)
-            CALL(court_ring_round_7, _ring_round_7_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(146), FIXED(139));
+            CALL(court_ring_round_7, _ring_round_7_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(144), FIXED(137));
             EACH(SET, _ring_round_7_2, omega_7, around_7, cosine_8, sine_8, climb_8, along_8)
             EACH(SET, _ring_round_7_2, turn_rate_8, tilted_8)
-            CALL(court_ring_round_8, _ring_round_8_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(147), FIXED(139));
+            CALL(court_ring_round_8, _ring_round_8_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(145), FIXED(137));
             EACH(SET, _ring_round_8_2, omega_8, around_8, cosine_9, sine_9, climb_9, along_9)
             EACH(SET, _ring_round_8_2, turn_rate_9, tilted_9)
-            CALL(court_ring_round_9, _ring_round_9_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(148), FIXED(139));
+            CALL(court_ring_round_9, _ring_round_9_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(146), FIXED(137));
             EACH(SET, _ring_round_9_2, omega_9, around_9, cosine_10, sine_10, climb_10, along_10)
             EACH(SET, _ring_round_9_2, turn_rate_10, tilted_10)
-            CALL(court_ring_round_10, _ring_round_10_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(149), FIXED(139));
+            CALL(court_ring_round_10, _ring_round_10_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(147), FIXED(137));
             EACH(SET, _ring_round_10_2, omega_10, around_10, cosine_11, sine_11, climb_11, along_11)
             EACH(SET, _ring_round_10_2, turn_rate_11, tilted_11)
-            CALL(court_ring_round_11, _ring_round_11_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11, FIXED(21), FIXED(135), FIXED(128), FIXED(111), FIXED(150), FIXED(139));
+            CALL(court_ring_round_11, _ring_round_11_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(148), FIXED(137));
             EACH(SET, _ring_round_11_2, omega_11, cosine_12, sine_12, climb_12, along_12)
             EACH(SET, _ring_round_11_2, turn_rate_12)
-            CALL(court_ring_round_moved, _ring_round_moved_2)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(7), FIXED(135), FIXED(112));
+            CALL(court_ring_round_moved, _ring_round_moved_2)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(7), FIXED(133), FIXED(110));
             far_x = _ring_round_moved_2.x;
             far_y = _ring_round_moved_2.y;
             far_z = _ring_round_moved_2.z;
@@ -2796,15 +2814,15 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
     for (size_t i = 0; i < in_contact_shots; i += LANES_WIDTH) {
         const M rows = mask_first_n(in_contact_shots - i);
         EACH(LOAD_MASK, in_contact_, circling, leaves, rolling)
-        EACH(LOAD, in_contact_, clock, gap_jerk, gap_snap, held, lift, per_reach, vx, vy, vz, x, y)
-        EACH(LOAD, in_contact_, z)
-        BOUNDS(EACH(LOAD, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-        BOUNDS(EACH(LOAD, in_contact_, undecided_time))
         CALL(court_still_in_contact, _still_in_contact_1)(rolling, circling);
         EACH(SET, _still_in_contact_1, rolling)
         EACH(STORE_MASK, in_contact_, rolling)
         const M packed = lanes_both(rows, leaves);
         if (lanes_any(packed)) {
+            EACH(LOAD, in_contact_, clock, gap_jerk, gap_snap, held, lift, per_reach, vx, vy, vz, x)
+            EACH(LOAD, in_contact_, y, z)
+            BOUNDS(EACH(LOAD, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
+            BOUNDS(EACH(LOAD, in_contact_, undecided_time))
             lanes_pack(worklist->in_contact_leaves_row + in_contact_leaves_shots, packed, lanes_add(iota(), K((double)i)));
             EACH(PACK, in_contact_leaves_, clock, gap_jerk, gap_snap, held, lift, per_reach, vx, vy)
             EACH(PACK, in_contact_leaves_, vz, x, y, z)
@@ -2873,20 +2891,20 @@ LANES_APART void LOOP(fix_rows_7)(LOOP(worklist) *worklist, size_t i)
         FIX(21, p_gravity); FIX(22, lanes_mul(K(2.0), p_gravity));
         FIX(34, lanes_mul(K(0.5), p_gravity));
 #if BOUNDED
-        FIX(37, lanes_mul(K(4.0), p_gravity)); FIX(109, lanes_div(K(1.0), _s45));
+        FIX(37, lanes_mul(K(4.0), p_gravity)); FIX(107, lanes_div(K(1.0), _s45));
 #else
-        FIX(109, lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
+        FIX(107, lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
 #endif
-        FIX(110, lanes_mul(K(0.5), p_ball_radius));
+        FIX(108, lanes_mul(K(0.5), p_ball_radius));
 #if BOUNDED
-        FIX(112, lanes_div(K(1.0), p_ball_radius)); FIX(165, lanes_mul(K(8.0), _s57));
-        FIX(166, lanes_add(lanes_add(lanes_add(lanes_add(_s339, p_bridge_depth), p_end_depth), lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
-        FIX(167, lanes_div(K(1.0), lanes_min(_s345, _s45)));
+        FIX(110, lanes_div(K(1.0), p_ball_radius)); FIX(163, lanes_mul(K(8.0), _s57));
+        FIX(164, lanes_add(lanes_add(lanes_add(lanes_add(_s339, p_bridge_depth), p_end_depth), lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
+        FIX(165, lanes_div(K(1.0), lanes_min(_s345, _s45)));
 #endif
-        FIX(168, p_restitution_speed); FIX(169, _s352); FIX(170, lanes_mul(_s352, _s352));
-        FIX(171, lanes_mul(p_ball_radius, p_inertia));
-        FIX(172, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        FIX(173, lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
+        FIX(166, p_restitution_speed); FIX(167, _s352); FIX(168, lanes_mul(_s352, _s352));
+        FIX(169, lanes_mul(p_ball_radius, p_inertia));
+        FIX(170, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        FIX(171, lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
     }
 }
 
@@ -2911,21 +2929,21 @@ LANES_APART void LOOP(fix_slow_rows_1)(LOOP(worklist) *worklist, size_t i)
         FIX(15, lanes_add(p_board_distance, p_board_thickness));
         FIX(16, lanes_sub(p_wire_radius, p_bridge_depth)); FIX(18, lanes_neg(p_end_depth));
         FIX(21, p_gravity); FIX(23, lanes_neg(p_gravity));
-        FIX(109, lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
-        FIX(110, lanes_mul(K(0.5), p_ball_radius)); FIX(111, _s219);
-        FIX(113, lanes_mul(K(3.637978807091713e-12), p_ball_radius));
-        FIX(161, lanes_mul(K(3.0), p_gravity));
-        FIX(162, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
-        FIX(172, lanes_mul(K(7.275957614183426e-12), p_ball_radius)); FIX(174, p_ring_restitution);
-        FIX(175, _s360); FIX(176, lanes_mul(_s360, _s360));
-        FIX(177, lanes_mul(p_ring_friction, _s362)); FIX(178, lanes_mul(_s362, _s360));
-        FIX(179, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        FIX(180, lanes_mul(_s219, _s360)); FIX(181, p_backboard_restitution); FIX(182, _s369);
-        FIX(183, lanes_mul(_s369, _s369)); FIX(184, lanes_mul(p_backboard_friction, _s371));
-        FIX(185, lanes_mul(_s371, _s369)); FIX(186, lanes_mul(_s219, _s369));
-        FIX(187, p_bridge_restitution); FIX(188, _s376); FIX(189, lanes_mul(_s376, _s376));
-        FIX(190, lanes_mul(p_bridge_friction, _s378)); FIX(191, lanes_mul(_s378, _s376));
-        FIX(192, lanes_mul(_s219, _s376));
+        FIX(107, lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
+        FIX(108, lanes_mul(K(0.5), p_ball_radius)); FIX(109, _s219);
+        FIX(111, lanes_mul(K(3.637978807091713e-12), p_ball_radius));
+        FIX(159, lanes_mul(K(3.0), p_gravity));
+        FIX(160, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
+        FIX(170, lanes_mul(K(7.275957614183426e-12), p_ball_radius)); FIX(172, p_ring_restitution);
+        FIX(173, _s360); FIX(174, lanes_mul(_s360, _s360));
+        FIX(175, lanes_mul(p_ring_friction, _s362)); FIX(176, lanes_mul(_s362, _s360));
+        FIX(177, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
+        FIX(178, lanes_mul(_s219, _s360)); FIX(179, p_backboard_restitution); FIX(180, _s369);
+        FIX(181, lanes_mul(_s369, _s369)); FIX(182, lanes_mul(p_backboard_friction, _s371));
+        FIX(183, lanes_mul(_s371, _s369)); FIX(184, lanes_mul(_s219, _s369));
+        FIX(185, p_bridge_restitution); FIX(186, _s376); FIX(187, lanes_mul(_s376, _s376));
+        FIX(188, lanes_mul(p_bridge_friction, _s378)); FIX(189, lanes_mul(_s378, _s376));
+        FIX(190, lanes_mul(_s219, _s376));
     }
 }
 
@@ -2937,20 +2955,20 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             LOOP(fix_slow_rows_1)(worklist, i);
         EACH(LOAD, slow_, held, mode, outcome, slip_left, vx, vy, vz, which, wx, wy, wz, x, y, z)
         BOUNDS(EACH(LOAD, slow_, assured, uncertain, velocity_error))
-        CALL(court_ring_normal, _ring_normal_1)(x, y, z, FIXED(7), FIXED(109));
+        CALL(court_ring_normal, _ring_normal_1)(x, y, z, FIXED(7), FIXED(107));
         EACH(GET, _ring_normal_1, nx, ny, nz)
         CALL(court_here, _here_1)(K(1.0), which);
         EACH(GET_MASK, _here_1, here)
         const M _if_here_1 = lanes_both(rows, here);
         if (lanes_any(_if_here_1)) {
-            CALL(court_backboard_normal, _backboard_normal_1)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(110));
+            CALL(court_backboard_normal, _backboard_normal_1)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
             EACH(SELECT, (_if_here_1, _backboard_normal_1), nx, ny, nz)
         }
         CALL(court_here, _here_2)(K(2.0), which);
         EACH(SET, _here_2, here)
         const M _if_here_2 = lanes_both(rows, here);
         if (lanes_any(_if_here_2)) {
-            CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(110));
+            CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108));
             EACH(SELECT, (_if_here_2, _bridge_normal_1), nx, ny, nz)
         }
         CALL(court_off_at_start, _off_at_start_1)(mode);
@@ -2980,36 +2998,36 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             CALL(court_start_errors, _start_errors_1)(x, y, z, dx, dy, dz, FIXED(6));
             EACH(SELECT, (_if_put_on_1, _start_errors_1), dx, dy, dz)
 #endif
-            CALL(court_ring_normal, _ring_normal_2)(x, y, z, FIXED(7), FIXED(109));
+            CALL(court_ring_normal, _ring_normal_2)(x, y, z, FIXED(7), FIXED(107));
             EACH(SELECT, (_if_put_on_1, _ring_normal_2), nx, ny, nz)
             CALL(court_here, _here_5)(K(1.0), which);
             EACH(SET, _here_5, here)
             const M _if_here_5 = lanes_both(_if_put_on_1, here);
             if (lanes_any(_if_here_5)) {
-                CALL(court_backboard_normal, _backboard_normal_2)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(110));
+                CALL(court_backboard_normal, _backboard_normal_2)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
                 EACH(SELECT, (_if_here_5, _backboard_normal_2), nx, ny, nz)
             }
             CALL(court_here, _here_6)(K(2.0), which);
             EACH(SET, _here_6, here)
             const M _if_here_6 = lanes_both(_if_put_on_1, here);
             if (lanes_any(_if_here_6)) {
-                CALL(court_bridge_normal, _bridge_normal_2)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(110));
+                CALL(court_bridge_normal, _bridge_normal_2)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108));
                 EACH(SELECT, (_if_here_6, _bridge_normal_2), nx, ny, nz)
             }
             EACH(STORE, slow_, x, y, z)
             BOUNDS(EACH(STORE, slow_, dx, dy, dz))
         }
-        CALL(court_nearly, _nearly_1)(nx, ny, nz, vx, vy, vz, FIXED(6), FIXED(21), FIXED(172));
+        CALL(court_nearly, _nearly_1)(nx, ny, nz, vx, vy, vz, FIXED(6), FIXED(21), FIXED(170));
         EACH(GET_MASK, _nearly_1, nearly)
-        CALL(court_gripped, _gripped_1)(nx, ny, nz, vx, vy, vz, wx, wy, wz, FIXED(6), FIXED(111));
+        CALL(court_gripped, _gripped_1)(nx, ny, nz, vx, vy, vz, wx, wy, wz, FIXED(6), FIXED(109));
         EACH(GET, _gripped_1, rolled_x, rolled_y, rolled_z, slip, bounce)
         CALL(court_here, _here_7)(K(0.0), which);
         EACH(SET, _here_7, here)
         const M _if_here_7 = lanes_both(rows, here);
         if (lanes_any(_if_here_7)) {
-            CALL(court_ring_turning, _ring_turning_1)(x, y, rolled_x, rolled_y, rolled_z, FIXED(7), FIXED(109));
+            CALL(court_ring_turning, _ring_turning_1)(x, y, rolled_x, rolled_y, rolled_z, FIXED(7), FIXED(107));
             EACH(GET, _ring_turning_1, turning_x, turning_y, turning_z)
-            CALL(court_pressed_on, _pressed_on_1)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(111));
+            CALL(court_pressed_on, _pressed_on_1)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(109));
             EACH(GET, _pressed_on_1, press, weight, rolling_friction, rolling_acceleration_x)
             EACH(GET, _pressed_on_1, rolling_acceleration_y, rolling_acceleration_z)
             CALL(court_isolated, _isolated_1)();
@@ -3026,9 +3044,9 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(SET, _end_beside_1, gap)
             CALL(court_near_end_plane, _near_end_plane_1)(gap, nearest);
             EACH(SET, _near_end_plane_1, nearest)
-            CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(161), FIXED(162));
+            CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(159), FIXED(160));
             EACH(GET, _ring_separation_1, lift, gap_jerk)
-            CALL(court_ring_impact_settling, _ring_impact_settling_1)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(174), FIXED(175), FIXED(176), FIXED(177), FIXED(178), FIXED(111), FIXED(113), FIXED(179), FIXED(180));
+            CALL(court_ring_impact_settling, _ring_impact_settling_1)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(172), FIXED(173), FIXED(174), FIXED(175), FIXED(176), FIXED(109), FIXED(111), FIXED(177), FIXED(178));
             EACH(GET_MASK, _ring_impact_settling_1, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_7, _ring_impact_settling_1), assured))
             EACH(GET_MASK, _ring_impact_settling_1, undecided)
@@ -3040,9 +3058,9 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
         EACH(SET, _here_8, here)
         const M _if_here_8 = lanes_both(rows, here);
         if (lanes_any(_if_here_8)) {
-            CALL(court_backboard_turning, _backboard_turning_1)(x, y, z, rolled_x, rolled_y, rolled_z, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15), FIXED(110));
+            CALL(court_backboard_turning, _backboard_turning_1)(x, y, z, rolled_x, rolled_y, rolled_z, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15), FIXED(108));
             EACH(GET, _backboard_turning_1, turning_x, turning_y, turning_z)
-            CALL(court_pressed_on, _pressed_on_2)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(111));
+            CALL(court_pressed_on, _pressed_on_2)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(109));
             EACH(GET, _pressed_on_2, press, weight, rolling_friction, rolling_acceleration_x)
             EACH(GET, _pressed_on_2, rolling_acceleration_y, rolling_acceleration_z)
             CALL(court_isolated, _isolated_2)();
@@ -3061,7 +3079,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(SET, _near_end_plane_2, nearest)
             CALL(court_backboard_separation, _backboard_separation_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(21), FIXED(15), FIXED(23));
             EACH(GET, _backboard_separation_1, lift, gap_jerk)
-            CALL(court_ring_impact_settling, _ring_impact_settling_2)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(181), FIXED(182), FIXED(183), FIXED(184), FIXED(185), FIXED(111), FIXED(113), FIXED(179), FIXED(186));
+            CALL(court_ring_impact_settling, _ring_impact_settling_2)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(179), FIXED(180), FIXED(181), FIXED(182), FIXED(183), FIXED(109), FIXED(111), FIXED(177), FIXED(184));
             EACH(GET_MASK, _ring_impact_settling_2, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_8, _ring_impact_settling_2), assured))
             EACH(GET_MASK, _ring_impact_settling_2, undecided)
@@ -3073,9 +3091,9 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
         EACH(SET, _here_9, here)
         const M _if_here_9 = lanes_both(rows, here);
         if (lanes_any(_if_here_9)) {
-            CALL(court_bridge_turning, _bridge_turning_1)(x, y, z, rolled_x, rolled_y, rolled_z, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16), FIXED(110));
+            CALL(court_bridge_turning, _bridge_turning_1)(x, y, z, rolled_x, rolled_y, rolled_z, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16), FIXED(108));
             EACH(GET, _bridge_turning_1, turning_x, turning_y, turning_z)
-            CALL(court_pressed_on, _pressed_on_3)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(111));
+            CALL(court_pressed_on, _pressed_on_3)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(109));
             EACH(GET, _pressed_on_3, press, weight, rolling_friction, rolling_acceleration_x)
             EACH(GET, _pressed_on_3, rolling_acceleration_y, rolling_acceleration_z)
             CALL(court_isolated, _isolated_3)();
@@ -3094,7 +3112,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(SET, _near_end_plane_3, nearest)
             CALL(court_bridge_separation, _bridge_separation_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(21), FIXED(7), FIXED(8), FIXED(16), FIXED(23));
             EACH(GET, _bridge_separation_1, lift, gap_jerk)
-            CALL(court_ring_impact_settling, _ring_impact_settling_3)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(187), FIXED(188), FIXED(189), FIXED(190), FIXED(191), FIXED(111), FIXED(113), FIXED(179), FIXED(192));
+            CALL(court_ring_impact_settling, _ring_impact_settling_3)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(185), FIXED(186), FIXED(187), FIXED(188), FIXED(189), FIXED(109), FIXED(111), FIXED(177), FIXED(190));
             EACH(GET_MASK, _ring_impact_settling_3, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_9, _ring_impact_settling_3), assured))
             EACH(GET_MASK, _ring_impact_settling_3, undecided)
@@ -3112,7 +3130,7 @@ LANES_APART void LOOP(fix_rows_9)(LOOP(worklist) *worklist, size_t i)
 {
     EACH(PARAMETER, , p_gravity)
     {
-        FIX(21, p_gravity); FIX(54, lanes_abs(K(0.0)));
+        FIX(21, p_gravity); FIX(80, lanes_abs(K(0.0)));
 #endif
     }
 }
@@ -3278,24 +3296,35 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         CALL(court_horizon, _horizon_2)(when, speed, FIXED(20));
         until = _horizon_2.horizon;
         EACH(GET, _horizon_2, pad)
-        CALL(court_half_flight_boxes, _half_flight_boxes_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(54), FIXED(34), FIXED(55));
-        EACH(GET, _half_flight_boxes_1, middle_x, reach_x, later_middle_x, later_reach_x, middle_y)
-        EACH(GET, _half_flight_boxes_1, reach_y, later_middle_y, later_reach_y, middle_z, reach_z)
-        EACH(GET, _half_flight_boxes_1, later_middle_z, later_reach_z)
-        CALL(court_backboard_near, _backboard_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(56), FIXED(2), FIXED(57), FIXED(58), FIXED(59), FIXED(60));
+        CALL(court_backboard_near, _backboard_near_1)(until, x, vx, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(54), FIXED(55));
         M reachable = _backboard_near_1.near;
+        const M _if_reachable_1 = reachable;
+        if (lanes_any(_if_reachable_1)) {
+            CALL(court_left, _left_2)(K(1.0), last);
+            EACH(GET, _left_2, leaving)
+            CALL(court_backboard_approaches, _backboard_approaches_1)(leaving, until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(56), FIXED(15));
+            reachable = lanes_choose(_if_reachable_1, _backboard_approaches_1.near, reachable);
+        }
         CALL(court_reachable_in_flight, _reachable_in_flight_1)(reachable, in_contact);
         EACH(SET, _reachable_in_flight_1, reachable)
         refused = lanes_either(refused, reachable);
         CALL(court_horizon, _horizon_3)(when, speed, FIXED(20));
         until = _horizon_3.horizon;
         EACH(SET, _horizon_3, pad)
-        CALL(court_half_flight_boxes, _half_flight_boxes_2)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(54), FIXED(34), FIXED(55));
-        EACH(SET, _half_flight_boxes_2, middle_x, reach_x, later_middle_x, later_reach_x, middle_y)
-        EACH(SET, _half_flight_boxes_2, reach_y, later_middle_y, later_reach_y, middle_z, reach_z)
-        EACH(SET, _half_flight_boxes_2, later_middle_z, later_reach_z)
-        CALL(court_bridge_near, _bridge_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(56), FIXED(4), FIXED(85), FIXED(86), FIXED(87), FIXED(88));
+        CALL(court_half_flight_boxes, _half_flight_boxes_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(80), FIXED(34), FIXED(81));
+        EACH(GET, _half_flight_boxes_1, middle_x, reach_x, later_middle_x, later_reach_x, middle_y)
+        EACH(GET, _half_flight_boxes_1, reach_y, later_middle_y, later_reach_y, middle_z, reach_z)
+        EACH(GET, _half_flight_boxes_1, later_middle_z, later_reach_z)
+        CALL(court_bridge_near, _bridge_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(82), FIXED(4), FIXED(83), FIXED(84), FIXED(85), FIXED(86));
         reachable = _bridge_near_1.near;
+        EACH(GET_MASK, _bridge_near_1, first_near, later_near)
+        const M _if_reachable_2 = reachable;
+        if (lanes_any(_if_reachable_2)) {
+            CALL(court_left, _left_3)(K(2.0), last);
+            EACH(GET, _left_3, leaving)
+            CALL(court_bridge_approaches, _bridge_approaches_1)(leaving, until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, first_near, later_near, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(56), FIXED(16));
+            reachable = lanes_choose(_if_reachable_2, _bridge_approaches_1.near, reachable);
+        }
         CALL(court_reachable_in_flight, _reachable_in_flight_2)(reachable, in_contact);
         EACH(SET, _reachable_in_flight_2, reachable)
         refused = lanes_either(refused, reachable);
@@ -3324,7 +3353,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         const M _if_moves_1 = moves;
         if (lanes_any(_if_moves_1)) {
 #if BOUNDED
-            CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(34), FIXED(20), FIXED(22), FIXED(37), FIXED(165));
+            CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(34), FIXED(20), FIXED(22), FIXED(37), FIXED(163));
             EACH(GET_MASK, _passing_undecided_1, undecided)
             CALL(court_undecided, _undecided_1)(uncertain, undecided);
             EACH(SELECT, (_if_moves_1, _undecided_1), uncertain)
@@ -3348,7 +3377,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
 #endif
         refused = lanes_either(refused, in_contact);
 #if BOUNDED
-        CALL(court_displacement, _displacement_1)(earliest_delay, when, extent, speed, position_error, velocity_error, FIXED(21), FIXED(166));
+        CALL(court_displacement, _displacement_1)(earliest_delay, when, extent, speed, position_error, velocity_error, FIXED(21), FIXED(164));
         V slack = _displacement_1.margin;
 #endif
         CALL(court_here, _here_1)(K(3.0), which);
@@ -3755,16 +3784,17 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_both(mask_first_n(shots - i), lanes_less(K(0.0), lanes_load(worklist->open + i)));
             if (lanes_any(rows)) {
-                EACH(LOAD, , arrival, extent, last, share, since, speed, until, vx, vy, vz, x, y, z)
+                EACH(LOAD, , arrival, since)
                 EACH(LOAD_MASK, , certain, searching, single_precision)
                 EACH(LOAD_SINGLE, , short_t)
-                BOUNDS(EACH(LOAD, , position_error, undecided_time, velocity_error))
                 CALL(court_stepped, _stepped_1)(arrival, lanes_wide(short_t), searching, since, single_precision, certain);
                 EACH(SET, _stepped_1, arrival, searching)
                 EACH(GET, _stepped_1, t)
                 EACH(STORE, , arrival)
                 const M packed = lanes_both(rows, searching);
                 if (lanes_any(packed)) {
+                    EACH(LOAD, , extent, last, share, speed, until, vx, vy, vz, x, y, z)
+                    BOUNDS(EACH(LOAD, , position_error, undecided_time, velocity_error))
                     lanes_pack(worklist->searching_row + searching_shots, packed, lanes_add(iota(), K((double)i)));
                     EACH(PACK, searching_, arrival, extent, last, share, speed, t, until, vx, vy)
                     EACH(PACK, searching_, vz, x, y, z)
@@ -3796,9 +3826,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             const M rows = mask_first_n(searching_shots - i);
             if (LANES_SELDOM(varying))
                 LOOP(fix_searching_rows_1)(worklist, i);
-            EACH(LOAD, searching_, arrival, extent, last, share, speed, t, until, vx, vy, vz, x, y)
-            EACH(LOAD, searching_, z)
-            EACH(LOAD_MASK, searching_, certain)
+            EACH(LOAD, searching_, extent, share, speed, t, until, vx, vy, vz, x, y, z)
             BOUNDS(EACH(LOAD, searching_, position_error, undecided_time, velocity_error))
             CALL(court_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(37), FIXED(41), FIXED(31), FIXED(22), FIXED(20), FIXED(35), FIXED(39), FIXED(38), FIXED(47), FIXED(28), FIXED(45), FIXED(46), FIXED(29), FIXED(30));
             EACH(GET, _ring_prepare_1, energy2, moment2, rho_start, low0, high0, low1, high1, low2)
@@ -3826,6 +3854,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             BOUNDS(EACH(STORE_MASK, searching_, searching))
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
+                EACH(LOAD, searching_, arrival, last)
+                EACH(LOAD_MASK, searching_, certain)
                 lanes_pack(worklist->searching_searching_row + searching_searching_shots, packed, lanes_add(iota(), K((double)i)));
                 EACH(PACK, searching_searching_, arrival, ceiling, end, energy2, extent, flat)
                 EACH(PACK, searching_searching_, high0, high1, high2, last, latest, low0, low1)
@@ -4125,22 +4155,27 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                 LOOP(fix_rows_5)(worklist, i);
 #endif
-            EACH(LOAD, , extent, last, speed, vx, vy, vz, when, which, x, y, z)
+            EACH(LOAD, , extent, last, speed, vx, vy, vz, when, x, y, z)
             EACH(LOAD_MASK, , in_contact)
-            BOUNDS(EACH(LOAD, , position_error, undecided_time, velocity_error))
+            BOUNDS(EACH(LOAD, , position_error, velocity_error))
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
             EACH(GET, _horizon_1, pad)
-            CALL(court_half_flight_boxes, _half_flight_boxes_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(54), FIXED(34), FIXED(55));
-            EACH(GET, _half_flight_boxes_1, middle_x, reach_x, later_middle_x, later_reach_x)
-            EACH(GET, _half_flight_boxes_1, middle_y, reach_y, later_middle_y, later_reach_y)
-            EACH(GET, _half_flight_boxes_1, middle_z, reach_z, later_middle_z, later_reach_z)
-            CALL(court_backboard_near, _backboard_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(56), FIXED(2), FIXED(57), FIXED(58), FIXED(59), FIXED(60));
+            CALL(court_backboard_near, _backboard_near_1)(until, x, vx, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(54), FIXED(55));
             M reachable = _backboard_near_1.near;
+            const M _if_reachable_1 = lanes_both(rows, reachable);
+            if (lanes_any(_if_reachable_1)) {
+                CALL(court_left, _left_1)(K(1.0), last);
+                EACH(GET, _left_1, leaving)
+                CALL(court_backboard_approaches, _backboard_approaches_1)(leaving, until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(56), FIXED(15));
+                reachable = lanes_choose(_if_reachable_1, _backboard_approaches_1.near, reachable);
+            }
             CALL(court_reachable_in_flight, _reachable_in_flight_1)(reachable, in_contact);
             EACH(SET, _reachable_in_flight_1, reachable)
             const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
+                EACH(LOAD, , which)
+                BOUNDS(EACH(LOAD, , undecided_time))
                 lanes_pack(worklist->reachable_row + reachable_shots, packed, lanes_add(iota(), K((double)i)));
                 EACH(PACK, reachable_, extent, last, speed, vx, vy, vz, when, which, x, y, z)
                 BOUNDS(EACH(PACK, reachable_, earliest_delay, position_error, undecided_time))
@@ -4174,7 +4209,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
             BOUNDS(EACH(GET, _horizon_1, pad))
-            CALL(court_backboard_prepare, _backboard_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21), FIXED(61), FIXED(62), FIXED(63), FIXED(64), FIXED(65), FIXED(66), FIXED(67), FIXED(22), FIXED(20), FIXED(68), FIXED(45), FIXED(69), FIXED(70), FIXED(71));
+            CALL(court_backboard_prepare, _backboard_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21), FIXED(57), FIXED(58), FIXED(59), FIXED(60), FIXED(61), FIXED(62), FIXED(63), FIXED(22), FIXED(20), FIXED(64), FIXED(45), FIXED(65), FIXED(66), FIXED(67));
             EACH(GET, _backboard_prepare_1, low0, high0, low1, high1, ceiling, latest)
             BOUNDS(EACH(GET, _backboard_prepare_1, budget_exceeded))
             CALL(court_beginning, _beginning_1)();
@@ -4183,7 +4218,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_allowance, _allowance_1)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
             EACH(GET, _allowance_1, position_level, velocity_level)
             BOUNDS(EACH(GET, _allowance_1, excess))
-            CALL(court_backboard_margins, _backboard_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78), FIXED(79), FIXED(80), FIXED(81), FIXED(82));
+            CALL(court_backboard_margins, _backboard_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(68), FIXED(69), FIXED(70), FIXED(71), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78));
             V flat = _backboard_margins_1.margin;
             V tilt = _backboard_margins_1.leaving_margin;
             V rate_slack = _backboard_margins_1.rate_margin;
@@ -4198,7 +4233,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             if (lanes_any(_if_searching_1)) {
                 CALL(court_nearby, _nearby_1)(t, flat, tilt, K(1.0), last);
                 EACH(GET, _nearby_1, leaving, margin)
-                CALL(court_backboard_advance, _backboard_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(83), FIXED(84), FIXED(73), FIXED(27));
+                CALL(court_backboard_advance, _backboard_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(56), FIXED(79), FIXED(69), FIXED(27));
                 EACH(GET, _backboard_advance_1, gap, rate, bend, step, next, clearance)
                 CALL(court_gap_closes_or_stalls, _gap_closes_or_stalls_1)(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 EACH(GET_MASK, _gap_closes_or_stalls_1, hit, sure, needs_refinement)
@@ -4209,7 +4244,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     CALL(court_allowance, _allowance_2)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
                     EACH(GET, _allowance_2, position_level, velocity_level)
                     BOUNDS(EACH(GET, _allowance_2, excess))
-                    CALL(court_backboard_margins, _backboard_margins_2)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78), FIXED(79), FIXED(80), FIXED(81), FIXED(82));
+                    CALL(court_backboard_margins, _backboard_margins_2)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(68), FIXED(69), FIXED(70), FIXED(71), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78));
                     flat = lanes_select(_if_needs_refinement_1, _backboard_margins_2.margin, flat);
                     tilt = lanes_select(_if_needs_refinement_1, _backboard_margins_2.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _backboard_margins_2.rate_margin, rate_slack);
@@ -4295,7 +4330,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 M searching = active;
                 CALL(court_nearby, _nearby_1)(t, flat, tilt, K(1.0), last);
                 EACH(GET, _nearby_1, leaving, margin)
-                CALL(court_backboard_advance, _backboard_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(83), FIXED(84), FIXED(73), FIXED(27));
+                CALL(court_backboard_advance, _backboard_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(56), FIXED(79), FIXED(69), FIXED(27));
                 EACH(GET, _backboard_advance_1, gap, rate, bend, step, next, clearance)
                 CALL(court_gap_closes_or_stalls, _gap_closes_or_stalls_1)(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 EACH(GET_MASK, _gap_closes_or_stalls_1, hit, sure, needs_refinement)
@@ -4306,7 +4341,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     CALL(court_allowance, _allowance_1)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
                     EACH(GET, _allowance_1, position_level, velocity_level)
                     BOUNDS(EACH(GET, _allowance_1, excess))
-                    CALL(court_backboard_margins, _backboard_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78), FIXED(79), FIXED(80), FIXED(81), FIXED(82));
+                    CALL(court_backboard_margins, _backboard_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(68), FIXED(69), FIXED(70), FIXED(71), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78));
                     flat = lanes_select(_if_needs_refinement_1, _backboard_margins_1.margin, flat);
                     tilt = lanes_select(_if_needs_refinement_1, _backboard_margins_1.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _backboard_margins_1.rate_margin, rate_slack);
@@ -4371,7 +4406,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(GET, _nearby_1, leaving)
             const M _if_refining_1 = lanes_both(rows, refining);
             if (lanes_any(_if_refining_1)) {
-                CALL(court_backboard_refine, _backboard_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(83));
+                CALL(court_backboard_refine, _backboard_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(56));
                 V refined = _backboard_refine_1.time;
                 EACH(GET, _backboard_refine_1, gap)
 #if BOUNDED
@@ -4385,7 +4420,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             }
             const M _if_refining_2 = lanes_both(rows, refining);
             if (lanes_any(_if_refining_2)) {
-                CALL(court_backboard_refine, _backboard_refine_2)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(83));
+                CALL(court_backboard_refine, _backboard_refine_2)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(56));
                 V refined = _backboard_refine_2.time;
                 EACH(GET, _backboard_refine_2, gap)
 #if BOUNDED
@@ -4446,7 +4481,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 if (busy == 0)
                     break;
                 M refining = active;
-                CALL(court_backboard_refine, _backboard_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(83));
+                CALL(court_backboard_refine, _backboard_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(56));
                 V refined = _backboard_refine_1.time;
                 EACH(GET, _backboard_refine_1, gap, rate)
                 CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
@@ -4480,7 +4515,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD, reachable_, ceiling, earliest_delay, extent, latest, leaving, position_error)
             EACH(LOAD, reachable_, rate, speed, undecided_time, velocity_error)
             EACH(LOAD_MASK, reachable_, certain)
-            CALL(court_backboard_margins, _backboard_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78), FIXED(79), FIXED(80), FIXED(81), FIXED(82));
+            CALL(court_backboard_margins, _backboard_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(68), FIXED(69), FIXED(70), FIXED(71), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78));
             V flat = _backboard_margins_1.margin;
             V tilt = _backboard_margins_1.leaving_margin;
             EACH(GET, _backboard_margins_1, rate_margin)
@@ -4520,22 +4555,32 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                 LOOP(fix_rows_6)(worklist, i);
 #endif
-            EACH(LOAD, , extent, last, speed, vx, vy, vz, when, which, x, y, z)
+            EACH(LOAD, , extent, last, speed, vx, vy, vz, when, x, y, z)
             EACH(LOAD_MASK, , in_contact)
-            BOUNDS(EACH(LOAD, , position_error, undecided_time, velocity_error))
+            BOUNDS(EACH(LOAD, , position_error, velocity_error))
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
             EACH(GET, _horizon_1, pad)
-            CALL(court_half_flight_boxes, _half_flight_boxes_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(54), FIXED(34), FIXED(55));
+            CALL(court_half_flight_boxes, _half_flight_boxes_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(80), FIXED(34), FIXED(81));
             EACH(GET, _half_flight_boxes_1, middle_x, reach_x, later_middle_x, later_reach_x)
             EACH(GET, _half_flight_boxes_1, middle_y, reach_y, later_middle_y, later_reach_y)
             EACH(GET, _half_flight_boxes_1, middle_z, reach_z, later_middle_z, later_reach_z)
-            CALL(court_bridge_near, _bridge_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(56), FIXED(4), FIXED(85), FIXED(86), FIXED(87), FIXED(88));
+            CALL(court_bridge_near, _bridge_near_1)(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, FIXED(82), FIXED(4), FIXED(83), FIXED(84), FIXED(85), FIXED(86));
             M reachable = _bridge_near_1.near;
+            EACH(GET_MASK, _bridge_near_1, first_near, later_near)
+            const M _if_reachable_1 = lanes_both(rows, reachable);
+            if (lanes_any(_if_reachable_1)) {
+                CALL(court_left, _left_1)(K(2.0), last);
+                EACH(GET, _left_1, leaving)
+                CALL(court_bridge_approaches, _bridge_approaches_1)(leaving, until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, first_near, later_near, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(56), FIXED(16));
+                reachable = lanes_choose(_if_reachable_1, _bridge_approaches_1.near, reachable);
+            }
             CALL(court_reachable_in_flight, _reachable_in_flight_1)(reachable, in_contact);
             EACH(SET, _reachable_in_flight_1, reachable)
             const M packed = lanes_both(rows, reachable);
             if (lanes_any(packed)) {
+                EACH(LOAD, , which)
+                BOUNDS(EACH(LOAD, , undecided_time))
                 lanes_pack(worklist->reachable_row + reachable_shots, packed, lanes_add(iota(), K((double)i)));
                 EACH(PACK, reachable_, extent, last, speed, vx, vy, vz, when, which, x, y, z)
                 BOUNDS(EACH(PACK, reachable_, earliest_delay, position_error, undecided_time))
@@ -4574,7 +4619,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
             BOUNDS(EACH(GET, _horizon_1, pad))
-            CALL(court_bridge_prepare, _bridge_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(8), FIXED(21), FIXED(89), FIXED(90), FIXED(91), FIXED(92), FIXED(93), FIXED(94), FIXED(22), FIXED(20), FIXED(95), FIXED(45), FIXED(96), FIXED(97), FIXED(98));
+            CALL(court_bridge_prepare, _bridge_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(8), FIXED(21), FIXED(87), FIXED(88), FIXED(89), FIXED(90), FIXED(91), FIXED(92), FIXED(22), FIXED(20), FIXED(93), FIXED(45), FIXED(94), FIXED(95), FIXED(96));
             EACH(GET, _bridge_prepare_1, low0, high0, low1, high1, ceiling, latest)
             BOUNDS(EACH(GET, _bridge_prepare_1, budget_exceeded))
             CALL(court_beginning, _beginning_1)();
@@ -4583,7 +4628,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_allowance, _allowance_1)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
             EACH(GET, _allowance_1, position_level, velocity_level)
             BOUNDS(EACH(GET, _allowance_1, excess))
-            CALL(court_bridge_margins, _bridge_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(72), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106), FIXED(107), FIXED(108));
+            CALL(court_bridge_margins, _bridge_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(68), FIXED(97), FIXED(98), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106));
             V flat = _bridge_margins_1.margin;
             V tilt = _bridge_margins_1.leaving_margin;
             V rate_slack = _bridge_margins_1.rate_margin;
@@ -4598,7 +4643,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             if (lanes_any(_if_searching_1)) {
                 CALL(court_nearby, _nearby_1)(t, flat, tilt, K(2.0), last);
                 EACH(GET, _nearby_1, leaving, margin)
-                CALL(court_bridge_advance, _bridge_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(16), FIXED(34), FIXED(83), FIXED(84), FIXED(99), FIXED(27));
+                CALL(court_bridge_advance, _bridge_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(16), FIXED(34), FIXED(56), FIXED(79), FIXED(97), FIXED(27));
                 EACH(GET, _bridge_advance_1, gap, rate, bend, step, next, clearance)
                 CALL(court_gap_closes_or_stalls, _gap_closes_or_stalls_1)(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 EACH(GET_MASK, _gap_closes_or_stalls_1, hit, sure, needs_refinement)
@@ -4609,7 +4654,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     CALL(court_allowance, _allowance_2)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
                     EACH(GET, _allowance_2, position_level, velocity_level)
                     BOUNDS(EACH(GET, _allowance_2, excess))
-                    CALL(court_bridge_margins, _bridge_margins_2)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(72), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106), FIXED(107), FIXED(108));
+                    CALL(court_bridge_margins, _bridge_margins_2)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(68), FIXED(97), FIXED(98), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106));
                     flat = lanes_select(_if_needs_refinement_1, _bridge_margins_2.margin, flat);
                     tilt = lanes_select(_if_needs_refinement_1, _bridge_margins_2.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _bridge_margins_2.rate_margin, rate_slack);
@@ -4695,7 +4740,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 M searching = active;
                 CALL(court_nearby, _nearby_1)(t, flat, tilt, K(2.0), last);
                 EACH(GET, _nearby_1, leaving, margin)
-                CALL(court_bridge_advance, _bridge_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(16), FIXED(34), FIXED(83), FIXED(84), FIXED(99), FIXED(27));
+                CALL(court_bridge_advance, _bridge_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(16), FIXED(34), FIXED(56), FIXED(79), FIXED(97), FIXED(27));
                 EACH(GET, _bridge_advance_1, gap, rate, bend, step, next, clearance)
                 CALL(court_gap_closes_or_stalls, _gap_closes_or_stalls_1)(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
                 EACH(GET_MASK, _gap_closes_or_stalls_1, hit, sure, needs_refinement)
@@ -4706,7 +4751,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     CALL(court_allowance, _allowance_1)(share, latest, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21));
                     EACH(GET, _allowance_1, position_level, velocity_level)
                     BOUNDS(EACH(GET, _allowance_1, excess))
-                    CALL(court_bridge_margins, _bridge_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(72), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106), FIXED(107), FIXED(108));
+                    CALL(court_bridge_margins, _bridge_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(21), FIXED(68), FIXED(97), FIXED(98), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106));
                     flat = lanes_select(_if_needs_refinement_1, _bridge_margins_1.margin, flat);
                     tilt = lanes_select(_if_needs_refinement_1, _bridge_margins_1.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _bridge_margins_1.rate_margin, rate_slack);
@@ -4775,7 +4820,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(GET, _nearby_1, leaving)
             const M _if_refining_1 = lanes_both(rows, refining);
             if (lanes_any(_if_refining_1)) {
-                CALL(court_bridge_refine, _bridge_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(34), FIXED(16), FIXED(83));
+                CALL(court_bridge_refine, _bridge_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(34), FIXED(16), FIXED(56));
                 V refined = _bridge_refine_1.time;
                 EACH(GET, _bridge_refine_1, gap)
 #if BOUNDED
@@ -4789,7 +4834,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             }
             const M _if_refining_2 = lanes_both(rows, refining);
             if (lanes_any(_if_refining_2)) {
-                CALL(court_bridge_refine, _bridge_refine_2)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(34), FIXED(16), FIXED(83));
+                CALL(court_bridge_refine, _bridge_refine_2)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(34), FIXED(16), FIXED(56));
                 V refined = _bridge_refine_2.time;
                 EACH(GET, _bridge_refine_2, gap)
 #if BOUNDED
@@ -4850,7 +4895,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 if (busy == 0)
                     break;
                 M refining = active;
-                CALL(court_bridge_refine, _bridge_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(34), FIXED(16), FIXED(83));
+                CALL(court_bridge_refine, _bridge_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(34), FIXED(16), FIXED(56));
                 V refined = _bridge_refine_1.time;
                 EACH(GET, _bridge_refine_1, gap, rate)
                 CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
@@ -4884,7 +4929,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD, reachable_, ceiling, earliest_delay, extent, latest, leaving, position_error)
             EACH(LOAD, reachable_, rate, speed, undecided_time, velocity_error)
             EACH(LOAD_MASK, reachable_, certain)
-            CALL(court_bridge_margins, _bridge_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(72), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106), FIXED(107), FIXED(108));
+            CALL(court_bridge_margins, _bridge_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(68), FIXED(97), FIXED(98), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106));
             V flat = _bridge_margins_1.margin;
             V tilt = _bridge_margins_1.leaving_margin;
             EACH(GET, _bridge_margins_1, rate_margin)
@@ -4921,14 +4966,11 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #endif
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = mask_first_n(shots - i);
-            EACH(LOAD, , circled, clock, held, last, mode, through, time_error, vx, vy, vz, when)
-            EACH(LOAD, , which, wx, wy, wz, x, y, z)
-            EACH(LOAD_MASK, , in_contact, limited, rests)
-            BOUNDS(EACH(LOAD, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, earliest_delay))
-            BOUNDS(EACH(LOAD, , grip_lost, last_grip_clock, last_grip_deficit, last_grip_deficit_rate))
-            BOUNDS(EACH(LOAD, , position_error, undecided_time, velocity_error))
+            EACH(LOAD_MASK, , in_contact, limited)
             const M _if_limited_1 = lanes_both(rows, limited);
             if (lanes_any(_if_limited_1)) {
+                EACH(LOAD, , clock, time_error, when, which)
+                BOUNDS(EACH(LOAD, , earliest_delay, undecided_time))
                 CALL(court_expiry, _expiry_1)(when, which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), time_error, clock, time_limit);
                 EACH(GET, _expiry_1, time)
                 EACH(GET_MASK, _expiry_1, arrives)
@@ -4940,11 +4982,17 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #endif
                 CALL(court_earliest, _earliest_1)(K(4.0), time, when, which, arrives);
                 EACH(SELECT, (_if_limited_1, _earliest_1), when, which)
+                EACH(STORE, , when, which)
+                BOUNDS(EACH(STORE, , earliest_delay, undecided_time))
             }
-            EACH(STORE, , when, which)
-            BOUNDS(EACH(STORE, , earliest_delay, undecided_time))
             const M packed = lanes_both(rows, in_contact);
             if (lanes_any(packed)) {
+                EACH(LOAD, , circled, clock, held, last, mode, through, vx, vy, vz, when, wx, wy)
+                EACH(LOAD, , wz, x, y, z)
+                EACH(LOAD_MASK, , rests)
+                BOUNDS(EACH(LOAD, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, grip_lost))
+                BOUNDS(EACH(LOAD, , last_grip_clock, last_grip_deficit, last_grip_deficit_rate))
+                BOUNDS(EACH(LOAD, , position_error, velocity_error))
                 lanes_pack(worklist->in_contact_row + in_contact_shots, packed, lanes_add(iota(), K((double)i)));
                 EACH(PACK, in_contact_, circled, clock, held, last, mode, through, vx, vy, vz, when)
                 EACH(PACK, in_contact_, wx, wy, wz, x, y, z)
@@ -5005,12 +5053,11 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #endif
             const V p_ring_friction = lanes_load(worklist->parameters.p_ring_friction + (i & varying));
             const V p_ring_restitution = lanes_load(worklist->parameters.p_ring_restitution + (i & varying));
-            EACH(LOAD, , began, clock, contacts, count_0, count_1, count_2, first, held, last, mode)
-            EACH(LOAD, , rolls, slip_left, through, vx, vy, vz, when, which, wx, wy, wz, x, y, z)
-            EACH(LOAD_MASK, , in_contact, limited, rests, rolling)
-            BOUNDS(EACH(LOAD, , assured, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-            BOUNDS(EACH(LOAD, , earliest_delay, extent, position_error, speed, uncertain, undecided_time))
-            BOUNDS(EACH(LOAD, , velocity_error))
+            EACH(LOAD, , clock, contacts, last, mode, through, vx, vy, vz, when, which, wx, wy, wz)
+            EACH(LOAD, , x, y, z)
+            EACH(LOAD_MASK, , in_contact, limited)
+            BOUNDS(EACH(LOAD, , assured, earliest_delay, extent, position_error, speed, uncertain))
+            BOUNDS(EACH(LOAD, , undecided_time, velocity_error))
             CALL(court_departed, _departed_1)(K(3.0), which);
             EACH(GET_MASK, _departed_1, moves, ends, touches)
             EACH(GET, _departed_1, reached)
@@ -5026,7 +5073,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             const M _if_moves_1 = lanes_both(rows, moves);
             if (lanes_any(_if_moves_1)) {
 #if BOUNDED
-                CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(34), FIXED(20), FIXED(22), FIXED(37), FIXED(165));
+                CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(34), FIXED(20), FIXED(22), FIXED(37), FIXED(163));
                 EACH(GET_MASK, _passing_undecided_1, undecided)
                 CALL(court_undecided, _undecided_1)(uncertain, undecided);
                 EACH(SELECT, (_if_moves_1, _undecided_1), uncertain)
@@ -5037,6 +5084,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SELECT, (_if_moves_1, _flight_1), x, y, z, vx, vy, vz)
                 CALL(court_event_clock, _event_clock_1)(when, clock);
                 EACH(SELECT, (_if_moves_1, _event_clock_1), clock)
+                EACH(STORE, , through, x, y, z)
             }
             const M _if_limited_1 = lanes_both(rows, limited);
             if (lanes_any(_if_limited_1)) {
@@ -5050,15 +5098,18 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #endif
             const M _if_in_contact_2 = lanes_both(rows, in_contact);
             if (lanes_any(_if_in_contact_2)) {
+                EACH(LOAD, , began, held, rolls)
+                EACH(LOAD_MASK, , rests, rolling)
                 CALL(court_stay_in_contact, _stay_in_contact_1)(last, which, OR_INFINITE(undecided_time), body, clock, reached, ends, held, mode, rolls, rolling, began, rests);
                 EACH(SELECT, (_if_in_contact_2, _stay_in_contact_1), body, reached, last, mode)
                 EACH(SELECT, (_if_in_contact_2, _stay_in_contact_1), held, rolls)
                 EACH(SELECT_MASK, (_if_in_contact_2, _stay_in_contact_1), ends)
                 BOUNDS(EACH(SELECT, (_if_in_contact_2, _stay_in_contact_1), undecided_time))
                 BOUNDS(EACH(SELECT_MASK, (_if_in_contact_2, _stay_in_contact_1), hopped))
+                EACH(STORE, , held, mode, rolls)
             }
 #if BOUNDED
-            CALL(court_displacement, _displacement_1)(earliest_delay, when, extent, speed, position_error, velocity_error, FIXED(21), FIXED(166));
+            CALL(court_displacement, _displacement_1)(earliest_delay, when, extent, speed, position_error, velocity_error, FIXED(21), FIXED(164));
             V slack = _displacement_1.margin;
 #endif
             CALL(court_here, _here_1)(K(3.0), which);
@@ -5103,13 +5154,15 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(GET_MASK, _slow_at_start_1, slow)
             const M _if_meeting_1 = lanes_both(rows, meeting);
             if (lanes_any(_if_meeting_1)) {
+                EACH(LOAD, , count_0, count_1, count_2, first)
+                BOUNDS(EACH(LOAD, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
                 CALL(court_end_normal, _end_normal_1)();
                 EACH(GET, _end_normal_1, nx, ny, nz)
                 CALL(court_here, _here_2)(K(0.0), which);
                 EACH(GET_MASK, _here_2, here)
                 const M _if_here_2 = lanes_both(_if_meeting_1, here);
                 {
-                    CALL(court_ring_normal, _ring_normal_1)(x, y, z, FIXED(7), FIXED(109));
+                    CALL(court_ring_normal, _ring_normal_1)(x, y, z, FIXED(7), FIXED(107));
                     EACH(SELECT, (_if_here_2, _ring_normal_1), nx, ny, nz)
                     CALL(court_counted, _counted_1)(count_0);
                     count_0 = lanes_select(_if_here_2, _counted_1.count, count_0);
@@ -5118,7 +5171,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SET, _here_3, here)
                 const M _if_here_3 = lanes_both(_if_meeting_1, here);
                 if (lanes_any(_if_here_3)) {
-                    CALL(court_backboard_normal, _backboard_normal_1)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(110));
+                    CALL(court_backboard_normal, _backboard_normal_1)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
                     EACH(SELECT, (_if_here_3, _backboard_normal_1), nx, ny, nz)
                     CALL(court_counted, _counted_2)(count_1);
                     count_1 = lanes_select(_if_here_3, _counted_2.count, count_1);
@@ -5127,7 +5180,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SET, _here_4, here)
                 const M _if_here_4 = lanes_both(_if_meeting_1, here);
                 if (lanes_any(_if_here_4)) {
-                    CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(110));
+                    CALL(court_bridge_normal, _bridge_normal_1)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108));
                     EACH(SELECT, (_if_here_4, _bridge_normal_1), nx, ny, nz)
                     CALL(court_counted, _counted_3)(count_2);
                     count_2 = lanes_select(_if_here_4, _counted_3.count, count_2);
@@ -5141,11 +5194,11 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(GET_MASK, _again_1, again)
                 const M _if_again_1 = lanes_both(_if_meeting_1, again);
                 if (lanes_any(_if_again_1)) {
-                    CALL(court_ring_curvature, _ring_curvature_1)(FIXED(167));
+                    CALL(court_ring_curvature, _ring_curvature_1)(FIXED(165));
                     curving = lanes_select(_if_again_1, _ring_curvature_1.curvature, curving);
                     CALL(court_started, _started_1)(x, y, z, vx, vy, vz, when, FIXED(34));
                     EACH(GET, _started_1, from_x, from_y, from_z)
-                    CALL(court_ring_normal, _ring_normal_2)(from_x, from_y, from_z, FIXED(7), FIXED(109));
+                    CALL(court_ring_normal, _ring_normal_2)(from_x, from_y, from_z, FIXED(7), FIXED(107));
                     left_nx = lanes_select(_if_again_1, _ring_normal_2.nx, left_nx);
                     left_ny = lanes_select(_if_again_1, _ring_normal_2.ny, left_ny);
                     left_nz = lanes_select(_if_again_1, _ring_normal_2.nz, left_nz);
@@ -5154,11 +5207,11 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SET, _again_2, again)
                 const M _if_again_2 = lanes_both(_if_meeting_1, again);
                 if (lanes_any(_if_again_2)) {
-                    CALL(court_backboard_curvature, _backboard_curvature_1)(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(112));
+                    CALL(court_backboard_curvature, _backboard_curvature_1)(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(110));
                     curving = lanes_select(_if_again_2, _backboard_curvature_1.curvature, curving);
                     CALL(court_started, _started_2)(x, y, z, vx, vy, vz, when, FIXED(34));
                     EACH(GET, _started_2, from_x, from_y, from_z)
-                    CALL(court_backboard_normal, _backboard_normal_2)(from_x, from_y, from_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(110));
+                    CALL(court_backboard_normal, _backboard_normal_2)(from_x, from_y, from_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
                     left_nx = lanes_select(_if_again_2, _backboard_normal_2.nx, left_nx);
                     left_ny = lanes_select(_if_again_2, _backboard_normal_2.ny, left_ny);
                     left_nz = lanes_select(_if_again_2, _backboard_normal_2.nz, left_nz);
@@ -5167,11 +5220,11 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SET, _again_3, again)
                 const M _if_again_3 = lanes_both(_if_meeting_1, again);
                 if (lanes_any(_if_again_3)) {
-                    CALL(court_bridge_curvature, _bridge_curvature_1)(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(16), FIXED(112));
+                    CALL(court_bridge_curvature, _bridge_curvature_1)(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(16), FIXED(110));
                     curving = lanes_select(_if_again_3, _bridge_curvature_1.curvature, curving);
                     CALL(court_started, _started_3)(x, y, z, vx, vy, vz, when, FIXED(34));
                     EACH(GET, _started_3, from_x, from_y, from_z)
-                    CALL(court_bridge_normal, _bridge_normal_2)(from_x, from_y, from_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(110));
+                    CALL(court_bridge_normal, _bridge_normal_2)(from_x, from_y, from_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108));
                     left_nx = lanes_select(_if_again_3, _bridge_normal_2.nx, left_nx);
                     left_ny = lanes_select(_if_again_3, _bridge_normal_2.ny, left_ny);
                     left_nz = lanes_select(_if_again_3, _bridge_normal_2.nz, left_nz);
@@ -5195,21 +5248,21 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SET, _here_5, here)
                 const M _if_here_5 = lanes_both(_if_meeting_1, here);
                 if (lanes_any(_if_here_5)) {
-                    CALL(court_ring_carry_normal, _ring_carry_normal_1)(x, y, dx, dy, dz, shift, FIXED(7), FIXED(109), FIXED(167));
+                    CALL(court_ring_carry_normal, _ring_carry_normal_1)(x, y, dx, dy, dz, shift, FIXED(7), FIXED(107), FIXED(165));
                     EACH(SELECT, (_if_here_5, _ring_carry_normal_1), dnx, dny, dnz, turn)
                 }
                 CALL(court_here, _here_6)(K(1.0), which);
                 EACH(SET, _here_6, here)
                 const M _if_here_6 = lanes_both(_if_meeting_1, here);
                 if (lanes_any(_if_here_6)) {
-                    CALL(court_backboard_carry_normal, _backboard_carry_normal_1)(x, y, z, dx, dy, dz, shift, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(110), FIXED(112));
+                    CALL(court_backboard_carry_normal, _backboard_carry_normal_1)(x, y, z, dx, dy, dz, shift, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108), FIXED(110));
                     EACH(SELECT, (_if_here_6, _backboard_carry_normal_1), dnx, dny, dnz, turn)
                 }
                 CALL(court_here, _here_7)(K(2.0), which);
                 EACH(SET, _here_7, here)
                 const M _if_here_7 = lanes_both(_if_meeting_1, here);
                 if (lanes_any(_if_here_7)) {
-                    CALL(court_bridge_carry_normal, _bridge_carry_normal_1)(x, y, z, dx, dy, dz, shift, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(110), FIXED(112));
+                    CALL(court_bridge_carry_normal, _bridge_carry_normal_1)(x, y, z, dx, dy, dz, shift, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108), FIXED(110));
                     EACH(SELECT, (_if_here_7, _bridge_carry_normal_1), dnx, dny, dnz, turn)
                 }
 #endif
@@ -5260,32 +5313,35 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 const M _if_struck_0_1 = lanes_both(_if_meeting_1, struck_0);
                 if (lanes_any(_if_struck_0_1)) {
 #if BOUNDED
-                    CALL(court_ring_impact_undecided, _ring_impact_undecided_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(168), FIXED(169));
+                    CALL(court_ring_impact_undecided, _ring_impact_undecided_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167));
                     EACH(GET_MASK, _ring_impact_undecided_1, undecided)
                     CALL(court_undecided, _undecided_2)(uncertain, undecided);
                     EACH(SELECT, (_if_struck_0_1, _undecided_2), uncertain)
-                    CALL(court_carry_ring_impact, _carry_ring_impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(168), FIXED(169), FIXED(170), FIXED(171), FIXED(112));
+                    CALL(court_carry_ring_impact, _carry_ring_impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167), FIXED(168), FIXED(169), FIXED(110));
                     EACH(SELECT, (_if_struck_0_1, _carry_ring_impact_1), dvx, dvy, dvz, dwx, dwy)
                     EACH(SELECT, (_if_struck_0_1, _carry_ring_impact_1), dwz)
 #endif
-                    CALL(court_ring_impact, _ring_impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(168), FIXED(169), FIXED(170), FIXED(171));
+                    CALL(court_ring_impact, _ring_impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167), FIXED(168), FIXED(169));
                     EACH(SELECT, (_if_struck_0_1, _ring_impact_1), vx, vy, vz, wx, wy, wz)
                 }
                 const M _if_touches_1 = lanes_both(_if_meeting_1, touches);
                 {
                     CALL(court_touched, _touched_1)(which, body, first);
                     EACH(SELECT, (_if_touches_1, _touched_1), first, last)
-                    CALL(court_leaves_slowly, _leaves_slowly_1)(nx, ny, nz, vx, vy, vz, OR_ZERO(position_error), FIXED(6), FIXED(21), FIXED(172), FIXED(173));
+                    CALL(court_leaves_slowly, _leaves_slowly_1)(nx, ny, nz, vx, vy, vz, OR_ZERO(position_error), FIXED(6), FIXED(21), FIXED(170), FIXED(171));
                     EACH(SELECT_MASK, (_if_touches_1, _leaves_slowly_1), slow)
                     BOUNDS(EACH(SELECT, (_if_touches_1, _leaves_slowly_1), assured))
                 }
+                EACH(STORE, , count_0, count_1, count_2, first, wx, wy, wz)
+                BOUNDS(EACH(STORE, , assured, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
             }
-            EACH(STORE, , clock, contacts, count_0, count_1, count_2, first, held, last, mode)
-            EACH(STORE, , outcome, rolls, through, vx, vy, vz, wx, wy, wz, x, y, z)
-            BOUNDS(EACH(STORE, , assured, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, uncertain))
+            EACH(STORE, , clock, contacts, last, outcome, vx, vy, vz)
+            BOUNDS(EACH(STORE, , uncertain))
             BOUNDS(EACH(STORE_MASK, , hopped))
             const M packed = lanes_both(rows, slow);
             if (lanes_any(packed)) {
+                EACH(LOAD, , held, slip_left)
+                BOUNDS(EACH(LOAD, , dx, dy, dz))
                 lanes_pack(worklist->slow_row + slow_shots, packed, lanes_add(iota(), K((double)i)));
                 EACH(PACK, slow_, held, mode, outcome, slip_left, vx, vy, vz, which, wx, wy, wz, x)
                 EACH(PACK, slow_, y, z)
@@ -5321,16 +5377,16 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             const M rows = mask_first_n(shots - i);
             if (LANES_SELDOM(varying))
                 LOOP(fix_rows_9)(worklist, i);
-            EACH(LOAD, , clock, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, outcome, vx)
-            EACH(LOAD, , vy, vz, when, which, x, y, z)
+            EACH(LOAD, , clock_error, dvx, dvy, dvz, dx, dy, dz, outcome)
             EACH(LOAD_MASK, , hopped, limited)
             const M _if_limited_1 = lanes_both(rows, limited);
             if (lanes_any(_if_limited_1)) {
+                EACH(LOAD, , clock, vx, vy, vz, when, which, x, y, z)
                 CALL(court_ends_by_time_limit, _ends_by_time_limit_1)(K(4.0), which, claims);
                 EACH(GET_MASK, _ends_by_time_limit_1, ends_by_time_limit)
                 const M _if_ends_by_time_limit_1 = lanes_both(_if_limited_1, ends_by_time_limit);
                 if (lanes_any(_if_ends_by_time_limit_1)) {
-                    CALL(court_carry_time, _carry_time_1)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, FIXED(21), FIXED(54));
+                    CALL(court_carry_time, _carry_time_1)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, FIXED(21), FIXED(80));
                     EACH(SELECT, (_if_ends_by_time_limit_1, _carry_time_1), dx, dy, dz, dvx, dvy)
                     EACH(SELECT, (_if_ends_by_time_limit_1, _carry_time_1), dvz, clock_error)
                 }
@@ -5338,6 +5394,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             }
             const M _if_hopped_1 = lanes_both(rows, hopped);
             if (lanes_any(_if_hopped_1)) {
+                EACH(LOAD, , vx, vy, vz, when, x, y, z)
                 CALL(court_carry_hop, _carry_hop_1)(x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, when);
                 EACH(SELECT, (_if_hopped_1, _carry_hop_1), dx, dy, dz)
             }
@@ -5346,6 +5403,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(GET, _closing_1, position_claim, velocity_claim, spin_claim, time_claim)
             const M _if_reports_1 = lanes_both(rows, reports);
             if (lanes_any(_if_reports_1)) {
+                EACH(LOAD, , dwx, dwy, dwz)
                 CALL(court_claimed_errors, _claimed_errors_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
                 position_claim = lanes_select(_if_reports_1, _claimed_errors_1.position_error, position_claim);
                 velocity_claim = lanes_select(_if_reports_1, _claimed_errors_1.velocity_error, velocity_claim);

@@ -515,13 +515,18 @@ LANES_INLINE size_t LOOP(leave)(LOOP(worklist) *worklist, size_t start, size_t s
         M going = lanes_both(rows, lanes_less(lanes_load(worklist->outcome + i), K(0.0)));
         if (kept < i || lanes_bits(going) != lanes_bits(rows)) {
             lanes_pack(worklist->shot + kept, going, lanes_load(worklist->shot + i));
-            EACH(KEEP, , x, y, z, vx, vy, vz, wx, wy, wz, clock, last, first, contacts, count_0)
-            EACH(KEEP, , count_1, count_2)
+            EACH(KEEP, , x, y, z, vx, vy, vz, wx, wy, wz, clock, last, contacts)
+            BOUNDS(EACH(KEEP, , uncertain))
+            BOUNDS(EACH(KEEP_SINGLE, , place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z))
+            BOUNDS(EACH(KEEP_SINGLE, , position_bound, velocity_bound, spin_bound, left_nx, left_ny))
+            BOUNDS(EACH(KEEP_SINGLE, , left_nz, left_ex, left_ey, left_bend_s, left_bend_e, clock_error))
+            if (job->results->first) {
+                EACH(KEEP, , first)
+            }
+            if (job->results->counts) {
+                EACH(KEEP, , count_0, count_1, count_2)
 #if BOUNDED
-            EACH(KEEP, , uncertain)
-            EACH(KEEP_SINGLE, , place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z)
-            EACH(KEEP_SINGLE, , position_bound, velocity_bound, spin_bound, left_nx, left_ny)
-            EACH(KEEP_SINGLE, , left_nz, left_ex, left_ey, left_bend_s, left_bend_e, clock_error)
+            }
             if (worklist->tightening) {
                 EACH(KEEP_SINGLE, , origin_s, origin_e, origin_u, origin_v, origin_w, origin_t)
                 EACH(KEEP_SINGLE, , product_11, product_12, product_13, product_14, product_15)
@@ -533,8 +538,8 @@ LANES_INLINE size_t LOOP(leave)(LOOP(worklist) *worklist, size_t start, size_t s
                 EACH(KEEP_SINGLE, , product_61, product_62, product_63, product_64, product_65)
                 EACH(KEEP_SINGLE, , product_66, recent_s, recent_e, recent_u, recent_v, recent_w)
                 EACH(KEEP_SINGLE, , recent_t, continued)
-            }
 #endif
+            }
             if (job->varying)
                 for (int p = 0; p < HOOP_PARAMETERS; p++)
                     lanes_pack(worklist->parameters.columns[p] + kept, going, lanes_load(worklist->parameters.columns[p] + i));
@@ -1708,17 +1713,18 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_both(mask_first_n(shots - i), lanes_less(K(0.0), lanes_load(worklist->open + i)));
             if (lanes_any(rows)) {
-                EACH(LOAD, , arrival, extent, last, share, since, speed, until, vx, vy, vz, x, y, z)
+                EACH(LOAD, , arrival, since)
                 EACH(LOAD_MASK, , certain, searching, single_precision)
                 EACH(LOAD_SINGLE, , short_t)
-                BOUNDS(EACH(LOAD, , undecided_time))
-                BOUNDS(EACH(LOAD_SINGLE, , position_error, velocity_error))
                 CALL(hoop_stepped, _stepped_1)(arrival, lanes_wide(short_t), searching, since, single_precision, certain);
                 EACH(SET, _stepped_1, arrival, searching)
                 EACH(GET, _stepped_1, t)
                 EACH(STORE, , arrival)
                 const M packed = lanes_both(rows, searching);
                 if (lanes_any(packed)) {
+                    EACH(LOAD, , extent, last, share, speed, until, vx, vy, vz, x, y, z)
+                    BOUNDS(EACH(LOAD, , undecided_time))
+                    BOUNDS(EACH(LOAD_SINGLE, , position_error, velocity_error))
                     lanes_pack(worklist->searching_row + searching_shots, packed, lanes_add(iota(), K((double)i)));
                     EACH(PACK, searching_, arrival, extent, last, share, speed, t, until, vx, vy)
                     EACH(PACK, searching_, vz, x, y, z)
@@ -1752,9 +1758,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             const M rows = mask_first_n(searching_shots - i);
             if (LANES_SELDOM(varying))
                 LOOP(fix_searching_rows_1)(worklist, i);
-            EACH(LOAD, searching_, arrival, extent, last, share, speed, t, until, vx, vy, vz, x, y)
-            EACH(LOAD, searching_, z)
-            EACH(LOAD_MASK, searching_, certain)
+            EACH(LOAD, searching_, extent, share, speed, t, until, vx, vy, vz, x, y, z)
 #if BOUNDED
             EACH(LOAD, searching_, undecided_time)
             EACH(LOAD_SINGLE, searching_, position_error, velocity_error)
@@ -1789,6 +1793,8 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             BOUNDS(EACH(STORE_MASK, searching_, searching))
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
+                EACH(LOAD, searching_, arrival, last)
+                EACH(LOAD_MASK, searching_, certain)
                 lanes_pack(worklist->searching_searching_row + searching_searching_shots, packed, lanes_add(iota(), K((double)i)));
                 EACH(PACK, searching_searching_, arrival, ceiling, end, energy2, extent, flat)
                 EACH(PACK, searching_searching_, high0, high1, high2, last, latest, low0, low1)
@@ -2091,13 +2097,13 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 LOOP(fix_rows_5)(worklist, i);
 #endif
             EACH(LOAD, , clock, contacts, vx, vy, vz, when, which, wx, wy, wz, x, y, z)
-            EACH(LOAD_SINGLE, , time_error)
             EACH(LOAD_MASK, , limited)
             BOUNDS(EACH(LOAD, , earliest_delay, extent, speed, uncertain, undecided_time))
             BOUNDS(EACH(LOAD_SINGLE, , clock_error, position_bound, position_error, spin_bound))
             BOUNDS(EACH(LOAD_SINGLE, , velocity_bound, velocity_error))
             const M _if_limited_1 = lanes_both(rows, limited);
             if (lanes_any(_if_limited_1)) {
+                EACH(LOAD_SINGLE, , time_error)
                 CALL(hoop_expiry, _expiry_1)(when, which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), lanes_wide(time_error), clock, time_limit);
                 EACH(GET, _expiry_1, time)
                 EACH(GET_MASK, _expiry_1, arrives)

@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation 7bab8060f636f901,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation cf814d7dac6b467f,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -4147,36 +4147,45 @@ static __device__ __forceinline__ kernel_backboard_advance_out kernel_backboard_
 }
 
 /* Whether a flight may reach the box of a surface at all.
-   disjoint boxes. 62 operations: 12 additions, 11 subtractions, 14 multiplications, 3 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
+   disjoint boxes. 27 operations: 7 additions, 3 subtractions, 5 multiplications, 1 negation, 5 comparisons, 1 conjunction, 2 complements, 3 selections. */
 struct kernel_backboard_near_out {
     bool near;
 };
 
-static __device__ __forceinline__ kernel_backboard_near_out kernel_backboard_near(double middle_x, double middle_y, double middle_z, double reach_x, double reach_y, double reach_z, double later_middle_x, double later_middle_y, double later_middle_z, double later_reach_x, double later_reach_y, double later_reach_z, double p_ball_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness)
+static __device__ __forceinline__ kernel_backboard_near_out kernel_backboard_near(double horizon, double x, double vx, double extent, double speed, double position_error, double velocity_error, double earliest_delay, double pad, double p_ball_radius, double p_board_distance, double p_board_thickness, double p_gravity)
 {
-    const double _s0 = 1.0000000009313226 * (p_ball_radius * p_ball_radius);
-    const double _s1 = 0.5 * p_board_thickness;
-    const double _s2 = -(p_board_distance + _s1);
-    const double _s3 = 1.0000000009313226 * _s1;
-    const double _s4 = fabs((_s2 - middle_x)) - (reach_x + _s3);
-    const double _s5 = larger(_s4, 0.0);
-    const double _s6 = 1.0000000009313226 * p_board_half_width;
-    const double _s7 = fabs((-middle_y)) - (reach_y + _s6);
-    const double _s8 = larger(_s7, 0.0);
-    const double _s9 = 0.5 * p_board_bottom;
-    const double _s10 = 0.5 * p_board_top;
-    const double _s11 = _s9 + _s10;
-    const double _s12 = 1.0000000009313226 * (_s10 - _s9);
-    const double _s13 = fabs((_s11 - middle_z)) - (reach_z + _s12);
-    const double _s14 = larger(_s13, 0.0);
-    const double _s15 = fabs((_s2 - later_middle_x)) - (later_reach_x + _s3);
-    const double _s16 = larger(_s15, 0.0);
-    const double _s17 = fabs((-later_middle_y)) - (later_reach_y + _s6);
-    const double _s18 = larger(_s17, 0.0);
-    const double _s19 = fabs((_s11 - later_middle_z)) - (later_reach_z + _s12);
-    const double _s20 = larger(_s19, 0.0);
-    const bool _s21 = !((_s0 < (((_s5 * _s5) + (_s8 * _s8)) + (_s14 * _s14))) && (_s0 < (((_s16 * _s16) + (_s18 * _s18)) + (_s20 * _s20))));
-    return {_s21};
+    const double _s0 = (position_error + (horizon * velocity_error)) + (9.313225746154785e-10 * (extent + (horizon * (speed + (p_gravity * horizon)))));
+    const double _s1 = choose((pad < earliest_delay), (INFINITE), _s0);
+    const double _s2 = x + (vx * horizon);
+    const bool _s3 = !(_s1 < ((-((p_ball_radius + p_board_distance) + p_board_thickness)) - larger(x, _s2)));
+    return {(!(_s1 < (smaller(_s2, x) - (p_ball_radius - p_board_distance)))) && _s3};
+}
+
+/* Whether a flight that comes near a surface may come to it.
+   a separating direction. 75 operations: 17 additions, 7 subtractions, 19 multiplications, 3 negations, 3 absolute values, 13 comparisons, 3 conjunctions, 2 disjunctions, 1 complement, 7 selections. */
+struct kernel_backboard_approaches_out {
+    bool near;
+};
+
+static __device__ __forceinline__ kernel_backboard_approaches_out kernel_backboard_approaches(double leaving, double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double earliest_delay, double pad, double p_ball_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_gravity)
+{
+    const double _s0 = p_board_distance + x;
+    const double _s1 = -((p_board_distance + p_board_thickness) + x);
+    const double _s2 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s3 = y - p_board_half_width;
+    const double _s4 = -(p_board_half_width + y);
+    const double _s5 = larger(_s3, 0.0) - larger(_s4, 0.0);
+    const double _s6 = z - p_board_top;
+    const double _s7 = p_board_bottom - z;
+    const double _s8 = larger(_s6, 0.0) - larger(_s7, 0.0);
+    const double _s9 = (fabs(_s2) + fabs(_s5)) + fabs(_s8);
+    const double _s10 = position_error + (9.313225746154785e-10 * (extent + _s9));
+    const bool _s11 = ((1.0 <= leaving) || (((p_ball_radius * p_ball_radius) + (4.0 * (_s10 * _s9))) < (((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8)))) && (earliest_delay <= pad);
+    const double _s12 = 4.0 * ((velocity_error * _s9) + (_s10 * (velocity_error + (speed + (p_gravity * horizon)))));
+    const double _s13 = (0.5 * horizon) * (-(p_gravity * _s8));
+    const bool _s14 = (((((vx * _s2) + (vy * _s5)) + (vz * _s8)) - _s12) + smaller(_s13, 0.0)) <= 0.0;
+    const bool _s15 = (!((_s11 && (position_error <= (2.9802322387695312e-08 * extent))) && (velocity_error <= (2.9802322387695312e-08 * speed)))) || _s14;
+    return {_s15};
 }
 
 /* Distance, its rate, and a bound on how fast it bends down, by the squared speed.
@@ -4763,9 +4772,9 @@ static __device__ __forceinline__ kernel_bridge_advance_out kernel_bridge_advanc
 }
 
 /* Whether a flight may reach the box of a surface at all.
-   disjoint boxes. 62 operations: 11 additions, 12 subtractions, 14 multiplications, 3 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections. */
+   disjoint boxes. 63 operations: 11 additions, 12 subtractions, 14 multiplications, 3 negations, 6 absolute values, 8 comparisons, 1 disjunction, 2 complements, 6 selections. */
 struct kernel_bridge_near_out {
-    bool near;
+    bool near, first_near, later_near;
 };
 
 static __device__ __forceinline__ kernel_bridge_near_out kernel_bridge_near(double middle_x, double middle_y, double middle_z, double reach_x, double reach_y, double reach_z, double later_middle_x, double later_middle_y, double later_middle_z, double later_reach_x, double later_reach_y, double later_reach_z, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_bridge_half_width, double p_bridge_depth)
@@ -4785,14 +4794,43 @@ static __device__ __forceinline__ kernel_bridge_near_out kernel_bridge_near(doub
     const double _s12 = 1.0000000009313226 * _s10;
     const double _s13 = fabs((_s11 - middle_z)) - (reach_z + _s12);
     const double _s14 = larger(_s13, 0.0);
-    const double _s15 = fabs((_s3 - later_middle_x)) - (later_reach_x + _s4);
-    const double _s16 = larger(_s15, 0.0);
-    const double _s17 = fabs((-later_middle_y)) - (later_reach_y + _s7);
-    const double _s18 = larger(_s17, 0.0);
-    const double _s19 = fabs((_s11 - later_middle_z)) - (later_reach_z + _s12);
-    const double _s20 = larger(_s19, 0.0);
-    const bool _s21 = !((_s0 < (((_s6 * _s6) + (_s9 * _s9)) + (_s14 * _s14))) && (_s0 < (((_s16 * _s16) + (_s18 * _s18)) + (_s20 * _s20))));
-    return {_s21};
+    const bool _s15 = !(_s0 < (((_s6 * _s6) + (_s9 * _s9)) + (_s14 * _s14)));
+    const double _s16 = fabs((_s3 - later_middle_x)) - (later_reach_x + _s4);
+    const double _s17 = larger(_s16, 0.0);
+    const double _s18 = fabs((-later_middle_y)) - (later_reach_y + _s7);
+    const double _s19 = larger(_s18, 0.0);
+    const double _s20 = fabs((_s11 - later_middle_z)) - (later_reach_z + _s12);
+    const double _s21 = larger(_s20, 0.0);
+    const bool _s22 = !(_s0 < (((_s17 * _s17) + (_s19 * _s19)) + (_s21 * _s21)));
+    return {_s15 || _s22, _s15, _s22};
+}
+
+/* Whether a flight that comes near a surface may come to it.
+   a separating direction. 81 operations: 17 additions, 8 subtractions, 20 multiplications, 3 negations, 3 absolute values, 14 comparisons, 5 conjunctions, 3 disjunctions, 1 complement, 7 selections. */
+struct kernel_bridge_approaches_out {
+    bool near;
+};
+
+static __device__ __forceinline__ kernel_bridge_approaches_out kernel_bridge_approaches(double leaving, double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double earliest_delay, double pad, bool first_near, bool later_near, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_bridge_half_width, double p_bridge_depth, double p_gravity)
+{
+    const double _s0 = p_ring_radius + x;
+    const double _s1 = -(p_board_distance + x);
+    const double _s2 = larger(_s0, 0.0) - larger(_s1, 0.0);
+    const double _s3 = z - p_wire_radius;
+    const double _s4 = (p_wire_radius - p_bridge_depth) - z;
+    const double _s5 = larger(_s3, 0.0) - larger(_s4, 0.0);
+    const double _s6 = y - p_bridge_half_width;
+    const double _s7 = -(p_bridge_half_width + y);
+    const double _s8 = larger(_s6, 0.0) - larger(_s7, 0.0);
+    const double _s9 = (fabs(_s2) + fabs(_s5)) + fabs(_s8);
+    const double _s10 = position_error + (9.313225746154785e-10 * (extent + _s9));
+    const bool _s11 = ((1.0 <= leaving) || (((p_ball_radius * p_ball_radius) + (4.0 * (_s10 * _s9))) < (((_s2 * _s2) + (_s5 * _s5)) + (_s8 * _s8)))) && (earliest_delay <= pad);
+    const double _s12 = 4.0 * ((velocity_error * _s9) + (_s10 * (velocity_error + (speed + (p_gravity * horizon)))));
+    const double _s13 = (((vx * _s2) + (vy * _s8)) + (vz * _s5)) - _s12;
+    const double _s14 = (0.5 * horizon) * (-(p_gravity * _s5));
+    const double _s15 = smaller(_s14, 0.0);
+    const bool _s16 = (!((_s11 && (position_error <= (2.9802322387695312e-08 * extent))) && (velocity_error <= (2.9802322387695312e-08 * speed)))) || ((first_near && ((_s13 + (0.5 * _s15)) <= 0.0)) || (later_near && ((_s13 + _s15) <= 0.0)));
+    return {_s16};
 }
 
 /* Distance, its rate, and a bound on how fast it bends down, by the squared speed.
@@ -5298,12 +5336,13 @@ static __device__ __forceinline__ void court_loop(
         rests = false, rolling = false, arrives = false, possible = false, open = false,
         certain = false, searching = false, representable = false, fits = false, stepping = false,
         single_precision = false, hit = false, sure = false, needs_refinement = false,
-        exhausted = false, refining = false, reachable = false, begins = false, leaves = false,
-        here = false, circling = false, loses = false, beside = false, over = false,
-        endless = false, moves = false, ends = false, touches = false, edge = false,
-        undecided = false, hopped = false, meeting = false, slow = false, again = false,
-        struck_0 = false, put_on = false, nearly = false, settles = false, lodges = false,
-        slides = false, unpressed = false, ends_by_time_limit = false, reports = false;
+        exhausted = false, refining = false, reachable = false, first_near = false,
+        later_near = false, begins = false, leaves = false, here = false, circling = false,
+        loses = false, beside = false, over = false, endless = false, moves = false, ends = false,
+        touches = false, edge = false, undecided = false, hopped = false, meeting = false,
+        slow = false, again = false, struck_0 = false, put_on = false, nearly = false,
+        settles = false, lodges = false, slides = false, unpressed = false,
+        ends_by_time_limit = false, reports = false;
     float onset = (float)0.0, wide_end = (float)0.0, wide_low1 = (float)0.0, wide_high1 = (float)0.0,
         wide_low2 = (float)0.0, wide_high2 = (float)0.0, lapsed = (float)0.0,
         short_share = (float)0.0, short_t = (float)0.0, short_end = (float)0.0,
@@ -5684,751 +5723,737 @@ static __device__ __forceinline__ void court_loop(
         const kernel_horizon_out _o73 = kernel_horizon(when, speed, p_gravity);
         until = _o73.horizon;
         pad = _o73.pad;
-        const kernel_half_flight_boxes_out _o74 = kernel_half_flight_boxes(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
-        middle_x = _o74.middle_x;
-        reach_x = _o74.reach_x;
-        later_middle_x = _o74.later_middle_x;
-        later_reach_x = _o74.later_reach_x;
-        middle_y = _o74.middle_y;
-        reach_y = _o74.reach_y;
-        later_middle_y = _o74.later_middle_y;
-        later_reach_y = _o74.later_reach_y;
-        middle_z = _o74.middle_z;
-        reach_z = _o74.reach_z;
-        later_middle_z = _o74.later_middle_z;
-        later_reach_z = _o74.later_reach_z;
-        const kernel_backboard_near_out _o75 = kernel_backboard_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-        reachable = _o75.near;
-        const kernel_reachable_in_flight_out _o76 = kernel_reachable_in_flight(reachable, in_contact);
-        reachable = _o76.reachable;
+        const kernel_backboard_near_out _o74 = kernel_backboard_near(until, x, vx, extent, speed, position_error, velocity_error, earliest_delay, pad, p_ball_radius, p_board_distance, p_board_thickness, p_gravity);
+        reachable = _o74.near;
         if (reachable) {
-            const kernel_horizon_out _o77 = kernel_horizon(when, speed, p_gravity);
-            until = _o77.horizon;
+            const kernel_left_out _o75 = kernel_left(1.0, last);
+            leaving = _o75.leaving;
+            const kernel_backboard_approaches_out _o76 = kernel_backboard_approaches(leaving, until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+            reachable = _o76.near;
+        }
+        const kernel_reachable_in_flight_out _o77 = kernel_reachable_in_flight(reachable, in_contact);
+        reachable = _o77.reachable;
+        if (reachable) {
+            const kernel_horizon_out _o78 = kernel_horizon(when, speed, p_gravity);
+            until = _o78.horizon;
             if (BOUNDS)
-                pad = _o77.pad;
-            const kernel_backboard_prepare_out _o78 = kernel_backboard_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            low0 = _o78.low0;
-            high0 = _o78.high0;
-            low1 = _o78.low1;
-            high1 = _o78.high1;
-            ceiling = _o78.ceiling;
-            latest = _o78.latest;
+                pad = _o78.pad;
+            const kernel_backboard_prepare_out _o79 = kernel_backboard_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+            low0 = _o79.low0;
+            high0 = _o79.high0;
+            low1 = _o79.low1;
+            high1 = _o79.high1;
+            ceiling = _o79.ceiling;
+            latest = _o79.latest;
             if (BOUNDS)
-                budget_exceeded = _o78.budget_exceeded;
-            const kernel_beginning_out _o79 = kernel_beginning();
-            share = _o79.share;
-            arrival = _o79.arrival;
-            certain = _o79.certain;
-            const kernel_allowance_out _o80 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            position_level = _o80.position_level;
-            velocity_level = _o80.velocity_level;
+                budget_exceeded = _o79.budget_exceeded;
+            const kernel_beginning_out _o80 = kernel_beginning();
+            share = _o80.share;
+            arrival = _o80.arrival;
+            certain = _o80.certain;
+            const kernel_allowance_out _o81 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+            position_level = _o81.position_level;
+            velocity_level = _o81.velocity_level;
             if (BOUNDS)
-                excess = _o80.excess;
-            const kernel_backboard_margins_out _o81 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-            flat = _o81.margin;
-            tilt = _o81.leaving_margin;
-            rate_slack = _o81.rate_margin;
-            const kernel_backboard_enter_out _o82 = kernel_backboard_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
-            t = _o82.t;
-            end = _o82.end;
-            searching = _o82.searching;
+                excess = _o81.excess;
+            const kernel_backboard_margins_out _o82 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+            flat = _o82.margin;
+            tilt = _o82.leaving_margin;
+            rate_slack = _o82.rate_margin;
+            const kernel_backboard_enter_out _o83 = kernel_backboard_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
+            t = _o83.t;
+            end = _o83.end;
+            searching = _o83.searching;
             if (BOUNDS) {
-                const kernel_out_of_budget_in_windows_out _o83 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, undecided_time, excess, searching);
-                undecided_time = _o83.undecided_time;
+                const kernel_out_of_budget_in_windows_out _o84 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, undecided_time, excess, searching);
+                undecided_time = _o84.undecided_time;
             }
             if (searching) {
-                const kernel_nearby_out _o84 = kernel_nearby(t, flat, tilt, 1.0, last);
-                leaving = _o84.leaving;
-                margin = _o84.margin;
-                const kernel_backboard_advance_out _o85 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                gap = _o85.gap;
-                rate = _o85.rate;
-                bend = _o85.bend;
-                step = _o85.step;
-                next = _o85.next;
-                clearance = _o85.clearance;
-                const kernel_gap_closes_or_stalls_out _o86 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                hit = _o86.hit;
-                sure = _o86.sure;
-                needs_refinement = _o86.needs_refinement;
+                const kernel_nearby_out _o85 = kernel_nearby(t, flat, tilt, 1.0, last);
+                leaving = _o85.leaving;
+                margin = _o85.margin;
+                const kernel_backboard_advance_out _o86 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                gap = _o86.gap;
+                rate = _o86.rate;
+                bend = _o86.bend;
+                step = _o86.step;
+                next = _o86.next;
+                clearance = _o86.clearance;
+                const kernel_gap_closes_or_stalls_out _o87 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o87.hit;
+                sure = _o87.sure;
+                needs_refinement = _o87.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_smaller_budget_out _o87 = kernel_smaller_budget(share);
-                    share = _o87.share;
-                    const kernel_allowance_out _o88 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    position_level = _o88.position_level;
-                    velocity_level = _o88.velocity_level;
+                    const kernel_smaller_budget_out _o88 = kernel_smaller_budget(share);
+                    share = _o88.share;
+                    const kernel_allowance_out _o89 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    position_level = _o89.position_level;
+                    velocity_level = _o89.velocity_level;
                     if (BOUNDS)
-                        excess = _o88.excess;
-                    const kernel_backboard_margins_out _o89 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = _o89.margin;
-                    tilt = _o89.leaving_margin;
-                    rate_slack = _o89.rate_margin;
+                        excess = _o89.excess;
+                    const kernel_backboard_margins_out _o90 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                    flat = _o90.margin;
+                    tilt = _o90.leaving_margin;
+                    rate_slack = _o90.rate_margin;
                     if (BOUNDS) {
-                        const kernel_budget_undecided_out _o90 = kernel_budget_undecided(t, undecided_time, excess);
-                        undecided_time = _o90.undecided_time;
+                        const kernel_budget_undecided_out _o91 = kernel_budget_undecided(t, undecided_time, excess);
+                        undecided_time = _o91.undecided_time;
                     }
                 }
-                const kernel_advanced_out _o91 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                arrival = _o91.arrival;
-                certain = _o91.certain;
-                exhausted = _o91.exhausted;
-                searching = _o91.searching;
-                t = _o91.t;
+                const kernel_advanced_out _o92 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o92.arrival;
+                certain = _o92.certain;
+                exhausted = _o92.exhausted;
+                searching = _o92.searching;
+                t = _o92.t;
                 if (exhausted) {
-                    const kernel_backboard_enter_out _o92 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
-                    t = _o92.t;
-                    end = _o92.end;
-                    searching = _o92.searching;
+                    const kernel_backboard_enter_out _o93 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o93.t;
+                    end = _o93.end;
+                    searching = _o93.searching;
                 }
             }
             for (size_t _turn = 0; _turn < 201; _turn++) {
                 if (!searching)
                     break;
-                const kernel_nearby_out _o93 = kernel_nearby(t, flat, tilt, 1.0, last);
-                leaving = _o93.leaving;
-                margin = _o93.margin;
-                const kernel_backboard_advance_out _o94 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                gap = _o94.gap;
-                rate = _o94.rate;
-                bend = _o94.bend;
-                step = _o94.step;
-                next = _o94.next;
-                clearance = _o94.clearance;
-                const kernel_gap_closes_or_stalls_out _o95 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                hit = _o95.hit;
-                sure = _o95.sure;
-                needs_refinement = _o95.needs_refinement;
+                const kernel_nearby_out _o94 = kernel_nearby(t, flat, tilt, 1.0, last);
+                leaving = _o94.leaving;
+                margin = _o94.margin;
+                const kernel_backboard_advance_out _o95 = kernel_backboard_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                gap = _o95.gap;
+                rate = _o95.rate;
+                bend = _o95.bend;
+                step = _o95.step;
+                next = _o95.next;
+                clearance = _o95.clearance;
+                const kernel_gap_closes_or_stalls_out _o96 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o96.hit;
+                sure = _o96.sure;
+                needs_refinement = _o96.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_smaller_budget_out _o96 = kernel_smaller_budget(share);
-                    share = _o96.share;
-                    const kernel_allowance_out _o97 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    position_level = _o97.position_level;
-                    velocity_level = _o97.velocity_level;
+                    const kernel_smaller_budget_out _o97 = kernel_smaller_budget(share);
+                    share = _o97.share;
+                    const kernel_allowance_out _o98 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    position_level = _o98.position_level;
+                    velocity_level = _o98.velocity_level;
                     if (BOUNDS)
-                        excess = _o97.excess;
-                    const kernel_backboard_margins_out _o98 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    flat = _o98.margin;
-                    tilt = _o98.leaving_margin;
-                    rate_slack = _o98.rate_margin;
+                        excess = _o98.excess;
+                    const kernel_backboard_margins_out _o99 = kernel_backboard_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                    flat = _o99.margin;
+                    tilt = _o99.leaving_margin;
+                    rate_slack = _o99.rate_margin;
                     if (BOUNDS) {
-                        const kernel_budget_undecided_out _o99 = kernel_budget_undecided(t, undecided_time, excess);
-                        undecided_time = _o99.undecided_time;
+                        const kernel_budget_undecided_out _o100 = kernel_budget_undecided(t, undecided_time, excess);
+                        undecided_time = _o100.undecided_time;
                     }
                 }
-                const kernel_advanced_out _o100 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                arrival = _o100.arrival;
-                certain = _o100.certain;
-                exhausted = _o100.exhausted;
-                searching = _o100.searching;
-                t = _o100.t;
+                const kernel_advanced_out _o101 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o101.arrival;
+                certain = _o101.certain;
+                exhausted = _o101.exhausted;
+                searching = _o101.searching;
+                t = _o101.t;
                 if (exhausted) {
-                    const kernel_backboard_enter_out _o101 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
-                    t = _o101.t;
-                    end = _o101.end;
-                    searching = _o101.searching;
+                    const kernel_backboard_enter_out _o102 = kernel_backboard_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o102.t;
+                    end = _o102.end;
+                    searching = _o102.searching;
                 }
             }
             if (BOUNDS) {
-                const kernel_predicate_undecided_out _o102 = kernel_predicate_undecided(t, undecided_time, searching);
-                undecided_time = _o102.undecided_time;
+                const kernel_predicate_undecided_out _o103 = kernel_predicate_undecided(t, undecided_time, searching);
+                undecided_time = _o103.undecided_time;
             }
-            const kernel_found_out _o103 = kernel_found(arrival);
-            arrives = _o103.arrives;
-            refining = _o103.refining;
+            const kernel_found_out _o104 = kernel_found(arrival);
+            arrives = _o104.arrives;
+            refining = _o104.refining;
             if (BOUNDS)
-                rate = _o103.rate;
-            const kernel_nearby_out _o104 = kernel_nearby(arrival, flat, tilt, 1.0, last);
-            leaving = _o104.leaving;
+                rate = _o104.rate;
+            const kernel_nearby_out _o105 = kernel_nearby(arrival, flat, tilt, 1.0, last);
+            leaving = _o105.leaving;
             if (refining) {
-                const kernel_backboard_refine_out _o105 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                refined = _o105.time;
-                gap = _o105.gap;
-                rate = _o105.rate;
-                const kernel_refined_root_out _o106 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o106.arrival;
-                refining = _o106.refining;
+                const kernel_backboard_refine_out _o106 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                refined = _o106.time;
+                gap = _o106.gap;
+                rate = _o106.rate;
+                const kernel_refined_root_out _o107 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o107.arrival;
+                refining = _o107.refining;
             }
             if (refining) {
-                const kernel_backboard_refine_out _o107 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                refined = _o107.time;
-                gap = _o107.gap;
-                rate = _o107.rate;
-                const kernel_refined_root_out _o108 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o108.arrival;
-                refining = _o108.refining;
+                const kernel_backboard_refine_out _o108 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                refined = _o108.time;
+                gap = _o108.gap;
+                rate = _o108.rate;
+                const kernel_refined_root_out _o109 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o109.arrival;
+                refining = _o109.refining;
             }
             for (size_t _turn = 0; _turn < 8; _turn++) {
                 if (!refining)
                     break;
-                const kernel_backboard_refine_out _o109 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                refined = _o109.time;
-                gap = _o109.gap;
-                rate = _o109.rate;
-                const kernel_refined_root_out _o110 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o110.arrival;
-                refining = _o110.refining;
+                const kernel_backboard_refine_out _o110 = kernel_backboard_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                refined = _o110.time;
+                gap = _o110.gap;
+                rate = _o110.rate;
+                const kernel_refined_root_out _o111 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o111.arrival;
+                refining = _o111.refining;
             }
             if (BOUNDS) {
-                const kernel_backboard_margins_out _o111 = kernel_backboard_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                flat = _o111.margin;
-                tilt = _o111.leaving_margin;
-                rate_margin = _o111.rate_margin;
-                const kernel_own_margin_out _o112 = kernel_own_margin(leaving, flat, tilt, arrival);
-                margin = _o112.margin;
-                const kernel_crossing_out _o113 = kernel_crossing(margin, rate_margin, rate, ceiling);
-                clearance = _o113.clearance;
-                delay = _o113.delay;
+                const kernel_backboard_margins_out _o112 = kernel_backboard_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                flat = _o112.margin;
+                tilt = _o112.leaving_margin;
+                rate_margin = _o112.rate_margin;
+                const kernel_own_margin_out _o113 = kernel_own_margin(leaving, flat, tilt, arrival);
+                margin = _o113.margin;
+                const kernel_crossing_out _o114 = kernel_crossing(margin, rate_margin, rate, ceiling);
+                clearance = _o114.clearance;
+                delay = _o114.delay;
             }
-            const kernel_arrival_time_out _o114 = kernel_arrival_time(arrival);
-            time = _o114.time;
+            const kernel_arrival_time_out _o115 = kernel_arrival_time(arrival);
+            time = _o115.time;
             if (BOUNDS) {
-                const kernel_arrival_certainty_out _o115 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
-                delay = _o115.delay;
-                undecided_time = _o115.undecided_time;
-                const kernel_tie_undecided_out _o116 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                const kernel_arrival_certainty_out _o116 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
+                delay = _o116.delay;
                 undecided_time = _o116.undecided_time;
-                earliest_delay = _o116.earliest_delay;
+                const kernel_tie_undecided_out _o117 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                undecided_time = _o117.undecided_time;
+                earliest_delay = _o117.earliest_delay;
             }
-            const kernel_earliest_out _o117 = kernel_earliest(1.0, time, when, which, arrives);
-            when = _o117.when;
-            which = _o117.which;
+            const kernel_earliest_out _o118 = kernel_earliest(1.0, time, when, which, arrives);
+            when = _o118.when;
+            which = _o118.which;
         }
-        const kernel_horizon_out _o118 = kernel_horizon(when, speed, p_gravity);
-        until = _o118.horizon;
-        pad = _o118.pad;
-        const kernel_half_flight_boxes_out _o119 = kernel_half_flight_boxes(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
-        middle_x = _o119.middle_x;
-        reach_x = _o119.reach_x;
-        later_middle_x = _o119.later_middle_x;
-        later_reach_x = _o119.later_reach_x;
-        middle_y = _o119.middle_y;
-        reach_y = _o119.reach_y;
-        later_middle_y = _o119.later_middle_y;
-        later_reach_y = _o119.later_reach_y;
-        middle_z = _o119.middle_z;
-        reach_z = _o119.reach_z;
-        later_middle_z = _o119.later_middle_z;
-        later_reach_z = _o119.later_reach_z;
-        const kernel_bridge_near_out _o120 = kernel_bridge_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-        reachable = _o120.near;
-        const kernel_reachable_in_flight_out _o121 = kernel_reachable_in_flight(reachable, in_contact);
-        reachable = _o121.reachable;
+        const kernel_horizon_out _o119 = kernel_horizon(when, speed, p_gravity);
+        until = _o119.horizon;
+        pad = _o119.pad;
+        const kernel_half_flight_boxes_out _o120 = kernel_half_flight_boxes(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_gravity);
+        middle_x = _o120.middle_x;
+        reach_x = _o120.reach_x;
+        later_middle_x = _o120.later_middle_x;
+        later_reach_x = _o120.later_reach_x;
+        middle_y = _o120.middle_y;
+        reach_y = _o120.reach_y;
+        later_middle_y = _o120.later_middle_y;
+        later_reach_y = _o120.later_reach_y;
+        middle_z = _o120.middle_z;
+        reach_z = _o120.reach_z;
+        later_middle_z = _o120.later_middle_z;
+        later_reach_z = _o120.later_reach_z;
+        const kernel_bridge_near_out _o121 = kernel_bridge_near(middle_x, middle_y, middle_z, reach_x, reach_y, reach_z, later_middle_x, later_middle_y, later_middle_z, later_reach_x, later_reach_y, later_reach_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+        reachable = _o121.near;
+        first_near = _o121.first_near;
+        later_near = _o121.later_near;
         if (reachable) {
-            const kernel_horizon_out _o122 = kernel_horizon(when, speed, p_gravity);
-            until = _o122.horizon;
+            const kernel_left_out _o122 = kernel_left(2.0, last);
+            leaving = _o122.leaving;
+            const kernel_bridge_approaches_out _o123 = kernel_bridge_approaches(leaving, until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, first_near, later_near, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+            reachable = _o123.near;
+        }
+        const kernel_reachable_in_flight_out _o124 = kernel_reachable_in_flight(reachable, in_contact);
+        reachable = _o124.reachable;
+        if (reachable) {
+            const kernel_horizon_out _o125 = kernel_horizon(when, speed, p_gravity);
+            until = _o125.horizon;
             if (BOUNDS)
-                pad = _o122.pad;
-            const kernel_bridge_prepare_out _o123 = kernel_bridge_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            low0 = _o123.low0;
-            high0 = _o123.high0;
-            low1 = _o123.low1;
-            high1 = _o123.high1;
-            ceiling = _o123.ceiling;
-            latest = _o123.latest;
+                pad = _o125.pad;
+            const kernel_bridge_prepare_out _o126 = kernel_bridge_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+            low0 = _o126.low0;
+            high0 = _o126.high0;
+            low1 = _o126.low1;
+            high1 = _o126.high1;
+            ceiling = _o126.ceiling;
+            latest = _o126.latest;
             if (BOUNDS)
-                budget_exceeded = _o123.budget_exceeded;
-            const kernel_beginning_out _o124 = kernel_beginning();
-            share = _o124.share;
-            arrival = _o124.arrival;
-            certain = _o124.certain;
-            const kernel_allowance_out _o125 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            position_level = _o125.position_level;
-            velocity_level = _o125.velocity_level;
+                budget_exceeded = _o126.budget_exceeded;
+            const kernel_beginning_out _o127 = kernel_beginning();
+            share = _o127.share;
+            arrival = _o127.arrival;
+            certain = _o127.certain;
+            const kernel_allowance_out _o128 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+            position_level = _o128.position_level;
+            velocity_level = _o128.velocity_level;
             if (BOUNDS)
-                excess = _o125.excess;
-            const kernel_bridge_margins_out _o126 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-            flat = _o126.margin;
-            tilt = _o126.leaving_margin;
-            rate_slack = _o126.rate_margin;
-            const kernel_bridge_enter_out _o127 = kernel_bridge_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
-            t = _o127.t;
-            end = _o127.end;
-            searching = _o127.searching;
+                excess = _o128.excess;
+            const kernel_bridge_margins_out _o129 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+            flat = _o129.margin;
+            tilt = _o129.leaving_margin;
+            rate_slack = _o129.rate_margin;
+            const kernel_bridge_enter_out _o130 = kernel_bridge_enter(0.0, 0.0, 0.0, low0, low1, high0, high1);
+            t = _o130.t;
+            end = _o130.end;
+            searching = _o130.searching;
             if (BOUNDS) {
-                const kernel_out_of_budget_in_windows_out _o128 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, undecided_time, excess, searching);
-                undecided_time = _o128.undecided_time;
+                const kernel_out_of_budget_in_windows_out _o131 = kernel_out_of_budget_in_windows(pad, budget_exceeded, earliest_delay, undecided_time, excess, searching);
+                undecided_time = _o131.undecided_time;
             }
             if (searching) {
-                const kernel_nearby_out _o129 = kernel_nearby(t, flat, tilt, 2.0, last);
-                leaving = _o129.leaving;
-                margin = _o129.margin;
-                const kernel_bridge_advance_out _o130 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                gap = _o130.gap;
-                rate = _o130.rate;
-                bend = _o130.bend;
-                step = _o130.step;
-                next = _o130.next;
-                clearance = _o130.clearance;
-                const kernel_gap_closes_or_stalls_out _o131 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                hit = _o131.hit;
-                sure = _o131.sure;
-                needs_refinement = _o131.needs_refinement;
+                const kernel_nearby_out _o132 = kernel_nearby(t, flat, tilt, 2.0, last);
+                leaving = _o132.leaving;
+                margin = _o132.margin;
+                const kernel_bridge_advance_out _o133 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                gap = _o133.gap;
+                rate = _o133.rate;
+                bend = _o133.bend;
+                step = _o133.step;
+                next = _o133.next;
+                clearance = _o133.clearance;
+                const kernel_gap_closes_or_stalls_out _o134 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o134.hit;
+                sure = _o134.sure;
+                needs_refinement = _o134.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_smaller_budget_out _o132 = kernel_smaller_budget(share);
-                    share = _o132.share;
-                    const kernel_allowance_out _o133 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    position_level = _o133.position_level;
-                    velocity_level = _o133.velocity_level;
+                    const kernel_smaller_budget_out _o135 = kernel_smaller_budget(share);
+                    share = _o135.share;
+                    const kernel_allowance_out _o136 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    position_level = _o136.position_level;
+                    velocity_level = _o136.velocity_level;
                     if (BOUNDS)
-                        excess = _o133.excess;
-                    const kernel_bridge_margins_out _o134 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = _o134.margin;
-                    tilt = _o134.leaving_margin;
-                    rate_slack = _o134.rate_margin;
+                        excess = _o136.excess;
+                    const kernel_bridge_margins_out _o137 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                    flat = _o137.margin;
+                    tilt = _o137.leaving_margin;
+                    rate_slack = _o137.rate_margin;
                     if (BOUNDS) {
-                        const kernel_budget_undecided_out _o135 = kernel_budget_undecided(t, undecided_time, excess);
-                        undecided_time = _o135.undecided_time;
+                        const kernel_budget_undecided_out _o138 = kernel_budget_undecided(t, undecided_time, excess);
+                        undecided_time = _o138.undecided_time;
                     }
                 }
-                const kernel_advanced_out _o136 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                arrival = _o136.arrival;
-                certain = _o136.certain;
-                exhausted = _o136.exhausted;
-                searching = _o136.searching;
-                t = _o136.t;
+                const kernel_advanced_out _o139 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o139.arrival;
+                certain = _o139.certain;
+                exhausted = _o139.exhausted;
+                searching = _o139.searching;
+                t = _o139.t;
                 if (exhausted) {
-                    const kernel_bridge_enter_out _o137 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
-                    t = _o137.t;
-                    end = _o137.end;
-                    searching = _o137.searching;
+                    const kernel_bridge_enter_out _o140 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o140.t;
+                    end = _o140.end;
+                    searching = _o140.searching;
                 }
             }
             for (size_t _turn = 0; _turn < 201; _turn++) {
                 if (!searching)
                     break;
-                const kernel_nearby_out _o138 = kernel_nearby(t, flat, tilt, 2.0, last);
-                leaving = _o138.leaving;
-                margin = _o138.margin;
-                const kernel_bridge_advance_out _o139 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                gap = _o139.gap;
-                rate = _o139.rate;
-                bend = _o139.bend;
-                step = _o139.step;
-                next = _o139.next;
-                clearance = _o139.clearance;
-                const kernel_gap_closes_or_stalls_out _o140 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
-                hit = _o140.hit;
-                sure = _o140.sure;
-                needs_refinement = _o140.needs_refinement;
+                const kernel_nearby_out _o141 = kernel_nearby(t, flat, tilt, 2.0, last);
+                leaving = _o141.leaving;
+                margin = _o141.margin;
+                const kernel_bridge_advance_out _o142 = kernel_bridge_advance(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                gap = _o142.gap;
+                rate = _o142.rate;
+                bend = _o142.bend;
+                step = _o142.step;
+                next = _o142.next;
+                clearance = _o142.clearance;
+                const kernel_gap_closes_or_stalls_out _o143 = kernel_gap_closes_or_stalls(t, end, gap, rate, bend, margin, rate_slack, next, clearance, share);
+                hit = _o143.hit;
+                sure = _o143.sure;
+                needs_refinement = _o143.needs_refinement;
                 if (needs_refinement) {
-                    const kernel_smaller_budget_out _o141 = kernel_smaller_budget(share);
-                    share = _o141.share;
-                    const kernel_allowance_out _o142 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    position_level = _o142.position_level;
-                    velocity_level = _o142.velocity_level;
+                    const kernel_smaller_budget_out _o144 = kernel_smaller_budget(share);
+                    share = _o144.share;
+                    const kernel_allowance_out _o145 = kernel_allowance(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    position_level = _o145.position_level;
+                    velocity_level = _o145.velocity_level;
                     if (BOUNDS)
-                        excess = _o142.excess;
-                    const kernel_bridge_margins_out _o143 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    flat = _o143.margin;
-                    tilt = _o143.leaving_margin;
-                    rate_slack = _o143.rate_margin;
+                        excess = _o145.excess;
+                    const kernel_bridge_margins_out _o146 = kernel_bridge_margins(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                    flat = _o146.margin;
+                    tilt = _o146.leaving_margin;
+                    rate_slack = _o146.rate_margin;
                     if (BOUNDS) {
-                        const kernel_budget_undecided_out _o144 = kernel_budget_undecided(t, undecided_time, excess);
-                        undecided_time = _o144.undecided_time;
+                        const kernel_budget_undecided_out _o147 = kernel_budget_undecided(t, undecided_time, excess);
+                        undecided_time = _o147.undecided_time;
                     }
                 }
-                const kernel_advanced_out _o145 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
-                arrival = _o145.arrival;
-                certain = _o145.certain;
-                exhausted = _o145.exhausted;
-                searching = _o145.searching;
-                t = _o145.t;
+                const kernel_advanced_out _o148 = kernel_advanced(t, end, step, next, arrival, hit, sure, needs_refinement, certain);
+                arrival = _o148.arrival;
+                certain = _o148.certain;
+                exhausted = _o148.exhausted;
+                searching = _o148.searching;
+                t = _o148.t;
                 if (exhausted) {
-                    const kernel_bridge_enter_out _o146 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
-                    t = _o146.t;
-                    end = _o146.end;
-                    searching = _o146.searching;
+                    const kernel_bridge_enter_out _o149 = kernel_bridge_enter(t, end, end, low0, low1, high0, high1);
+                    t = _o149.t;
+                    end = _o149.end;
+                    searching = _o149.searching;
                 }
             }
             if (BOUNDS) {
-                const kernel_predicate_undecided_out _o147 = kernel_predicate_undecided(t, undecided_time, searching);
-                undecided_time = _o147.undecided_time;
+                const kernel_predicate_undecided_out _o150 = kernel_predicate_undecided(t, undecided_time, searching);
+                undecided_time = _o150.undecided_time;
             }
-            const kernel_found_out _o148 = kernel_found(arrival);
-            arrives = _o148.arrives;
-            refining = _o148.refining;
+            const kernel_found_out _o151 = kernel_found(arrival);
+            arrives = _o151.arrives;
+            refining = _o151.refining;
             if (BOUNDS)
-                rate = _o148.rate;
-            const kernel_nearby_out _o149 = kernel_nearby(arrival, flat, tilt, 2.0, last);
-            leaving = _o149.leaving;
+                rate = _o151.rate;
+            const kernel_nearby_out _o152 = kernel_nearby(arrival, flat, tilt, 2.0, last);
+            leaving = _o152.leaving;
             if (refining) {
-                const kernel_bridge_refine_out _o150 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                refined = _o150.time;
-                gap = _o150.gap;
-                rate = _o150.rate;
-                const kernel_refined_root_out _o151 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o151.arrival;
-                refining = _o151.refining;
+                const kernel_bridge_refine_out _o153 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                refined = _o153.time;
+                gap = _o153.gap;
+                rate = _o153.rate;
+                const kernel_refined_root_out _o154 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o154.arrival;
+                refining = _o154.refining;
             }
             if (refining) {
-                const kernel_bridge_refine_out _o152 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                refined = _o152.time;
-                gap = _o152.gap;
-                rate = _o152.rate;
-                const kernel_refined_root_out _o153 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o153.arrival;
-                refining = _o153.refining;
+                const kernel_bridge_refine_out _o155 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                refined = _o155.time;
+                gap = _o155.gap;
+                rate = _o155.rate;
+                const kernel_refined_root_out _o156 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o156.arrival;
+                refining = _o156.refining;
             }
             for (size_t _turn = 0; _turn < 8; _turn++) {
                 if (!refining)
                     break;
-                const kernel_bridge_refine_out _o154 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                refined = _o154.time;
-                gap = _o154.gap;
-                rate = _o154.rate;
-                const kernel_refined_root_out _o155 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
-                arrival = _o155.arrival;
-                refining = _o155.refining;
+                const kernel_bridge_refine_out _o157 = kernel_bridge_refine(arrival, leaving, x, y, z, vx, vy, vz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                refined = _o157.time;
+                gap = _o157.gap;
+                rate = _o157.rate;
+                const kernel_refined_root_out _o158 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                arrival = _o158.arrival;
+                refining = _o158.refining;
             }
             if (BOUNDS) {
-                const kernel_bridge_margins_out _o156 = kernel_bridge_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                flat = _o156.margin;
-                tilt = _o156.leaving_margin;
-                rate_margin = _o156.rate_margin;
-                const kernel_own_margin_out _o157 = kernel_own_margin(leaving, flat, tilt, arrival);
-                margin = _o157.margin;
-                const kernel_crossing_out _o158 = kernel_crossing(margin, rate_margin, rate, ceiling);
-                clearance = _o158.clearance;
-                delay = _o158.delay;
+                const kernel_bridge_margins_out _o159 = kernel_bridge_margins(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                flat = _o159.margin;
+                tilt = _o159.leaving_margin;
+                rate_margin = _o159.rate_margin;
+                const kernel_own_margin_out _o160 = kernel_own_margin(leaving, flat, tilt, arrival);
+                margin = _o160.margin;
+                const kernel_crossing_out _o161 = kernel_crossing(margin, rate_margin, rate, ceiling);
+                clearance = _o161.clearance;
+                delay = _o161.delay;
             }
-            const kernel_arrival_time_out _o159 = kernel_arrival_time(arrival);
-            time = _o159.time;
+            const kernel_arrival_time_out _o162 = kernel_arrival_time(arrival);
+            time = _o162.time;
             if (BOUNDS) {
-                const kernel_arrival_certainty_out _o160 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
-                delay = _o160.delay;
-                undecided_time = _o160.undecided_time;
-                const kernel_tie_undecided_out _o161 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
-                undecided_time = _o161.undecided_time;
-                earliest_delay = _o161.earliest_delay;
-            }
-            const kernel_earliest_out _o162 = kernel_earliest(2.0, time, when, which, arrives);
-            when = _o162.when;
-            which = _o162.which;
-        }
-        if (limited) {
-            const kernel_expiry_out _o163 = kernel_expiry(when, which, earliest_delay, undecided_time, time_error, clock, time_limit);
-            time = _o163.time;
-            arrives = _o163.arrives;
-            if (BOUNDS) {
+                const kernel_arrival_certainty_out _o163 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o163.delay;
                 undecided_time = _o163.undecided_time;
-            }
-            if (BOUNDS) {
                 const kernel_tie_undecided_out _o164 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
                 undecided_time = _o164.undecided_time;
                 earliest_delay = _o164.earliest_delay;
             }
-            const kernel_earliest_out _o165 = kernel_earliest(4.0, time, when, which, arrives);
+            const kernel_earliest_out _o165 = kernel_earliest(2.0, time, when, which, arrives);
             when = _o165.when;
             which = _o165.which;
         }
-        if (in_contact) {
-            const kernel_resumed_out _o166 = kernel_resumed(last, position_error, velocity_error, clock, mode);
-            which = _o166.which;
-            began = _o166.began;
-            begins = _o166.begins;
-            rolling = _o166.rolling;
-            leaves = _o166.leaves;
-            nx = _o166.nx;
-            ny = _o166.ny;
-            nz = _o166.nz;
-            gap = _o166.gap;
-            bent_x = _o166.bent_x;
-            bent_y = _o166.bent_y;
-            bent_z = _o166.bent_z;
-            lift = _o166.lift;
-            gap_jerk = _o166.gap_jerk;
-            gap_snap = _o166.gap_snap;
-            per_reach = _o166.per_reach;
+        if (limited) {
+            const kernel_expiry_out _o166 = kernel_expiry(when, which, earliest_delay, undecided_time, time_error, clock, time_limit);
+            time = _o166.time;
+            arrives = _o166.arrives;
             if (BOUNDS) {
-                earliest_delay = _o166.earliest_delay;
+                delay = _o166.delay;
                 undecided_time = _o166.undecided_time;
             }
-            if (begins) {
-                const kernel_holding_out _o167 = kernel_holding(0.0, held);
-                here = _o167.here;
-                if (here) {
-                    const kernel_ring_normal_out _o168 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    nx = _o168.nx;
-                    ny = _o168.ny;
-                    nz = _o168.nz;
-                }
-                const kernel_holding_out _o169 = kernel_holding(1.0, held);
-                here = _o169.here;
-                if (here) {
-                    const kernel_backboard_normal_out _o170 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = _o170.nx;
-                    ny = _o170.ny;
-                    nz = _o170.nz;
-                }
-                const kernel_holding_out _o171 = kernel_holding(2.0, held);
-                here = _o171.here;
-                if (here) {
-                    const kernel_bridge_normal_out _o172 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = _o172.nx;
-                    ny = _o172.ny;
-                    nz = _o172.nz;
-                }
-                const kernel_roll_turn_rate_out _o173 = kernel_roll_turn_rate(p_ball_radius, nx, ny, nz, wx, wy, wz);
-                turn_rate = _o173.turn_rate;
-                const kernel_gripped_out _o174 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                rolled_x = _o174.rolled_x;
-                rolled_y = _o174.rolled_y;
-                rolled_z = _o174.rolled_z;
-                const kernel_holding_out _o175 = kernel_holding(0.0, held);
-                here = _o175.here;
-                if (here) {
-                    const kernel_ring_distance_out _o176 = kernel_ring_distance(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = _o176.gap;
-                }
-                const kernel_holding_out _o177 = kernel_holding(1.0, held);
-                here = _o177.here;
-                if (here) {
-                    const kernel_backboard_distance_out _o178 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                    gap = _o178.gap;
-                }
-                const kernel_holding_out _o179 = kernel_holding(2.0, held);
-                here = _o179.here;
-                if (here) {
-                    const kernel_bridge_distance_out _o180 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = _o180.gap;
-                }
-                const kernel_roll_placed_out _o181 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, gap, turn_rate);
-                x = _o181.x;
-                y = _o181.y;
-                z = _o181.z;
-                vx = _o181.vx;
-                vy = _o181.vy;
-                vz = _o181.vz;
-                wx = _o181.wx;
-                wy = _o181.wy;
-                wz = _o181.wz;
-                if (BOUNDS) {
-                    const kernel_jump_errors_out _o182 = kernel_jump_errors(p_ball_radius, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                    dx = _o182.dx;
-                    dy = _o182.dy;
-                    dz = _o182.dz;
-                    dvx = _o182.dvx;
-                    dvy = _o182.dvy;
-                    dvz = _o182.dvz;
-                    dwx = _o182.dwx;
-                    dwy = _o182.dwy;
-                    dwz = _o182.dwz;
-                    const kernel_forget_grip_deficit_out _o183 = kernel_forget_grip_deficit();
-                    last_grip_deficit = _o183.last_grip_deficit;
-                }
-                const kernel_beginning_contact_out _o184 = kernel_beginning_contact();
-                which = _o184.which;
-                circled = _o184.circled;
+            if (BOUNDS) {
+                const kernel_tie_undecided_out _o167 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
+                undecided_time = _o167.undecided_time;
+                earliest_delay = _o167.earliest_delay;
             }
-            const kernel_circles_out _o185 = kernel_circles(0.0, held, rolling);
-            circling = _o185.circling;
-            rolling = _o185.rolling;
+            const kernel_earliest_out _o168 = kernel_earliest(4.0, time, when, which, arrives);
+            when = _o168.when;
+            which = _o168.which;
+        }
+        if (in_contact) {
+            const kernel_resumed_out _o169 = kernel_resumed(last, position_error, velocity_error, clock, mode);
+            which = _o169.which;
+            began = _o169.began;
+            begins = _o169.begins;
+            rolling = _o169.rolling;
+            leaves = _o169.leaves;
+            nx = _o169.nx;
+            ny = _o169.ny;
+            nz = _o169.nz;
+            gap = _o169.gap;
+            bent_x = _o169.bent_x;
+            bent_y = _o169.bent_y;
+            bent_z = _o169.bent_z;
+            lift = _o169.lift;
+            gap_jerk = _o169.gap_jerk;
+            gap_snap = _o169.gap_snap;
+            per_reach = _o169.per_reach;
+            if (BOUNDS) {
+                earliest_delay = _o169.earliest_delay;
+                undecided_time = _o169.undecided_time;
+            }
+            if (begins) {
+                const kernel_holding_out _o170 = kernel_holding(0.0, held);
+                here = _o170.here;
+                if (here) {
+                    const kernel_ring_normal_out _o171 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    nx = _o171.nx;
+                    ny = _o171.ny;
+                    nz = _o171.nz;
+                }
+                const kernel_holding_out _o172 = kernel_holding(1.0, held);
+                here = _o172.here;
+                if (here) {
+                    const kernel_backboard_normal_out _o173 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = _o173.nx;
+                    ny = _o173.ny;
+                    nz = _o173.nz;
+                }
+                const kernel_holding_out _o174 = kernel_holding(2.0, held);
+                here = _o174.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o175 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o175.nx;
+                    ny = _o175.ny;
+                    nz = _o175.nz;
+                }
+                const kernel_roll_turn_rate_out _o176 = kernel_roll_turn_rate(p_ball_radius, nx, ny, nz, wx, wy, wz);
+                turn_rate = _o176.turn_rate;
+                const kernel_gripped_out _o177 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+                rolled_x = _o177.rolled_x;
+                rolled_y = _o177.rolled_y;
+                rolled_z = _o177.rolled_z;
+                const kernel_holding_out _o178 = kernel_holding(0.0, held);
+                here = _o178.here;
+                if (here) {
+                    const kernel_ring_distance_out _o179 = kernel_ring_distance(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o179.gap;
+                }
+                const kernel_holding_out _o180 = kernel_holding(1.0, held);
+                here = _o180.here;
+                if (here) {
+                    const kernel_backboard_distance_out _o181 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                    gap = _o181.gap;
+                }
+                const kernel_holding_out _o182 = kernel_holding(2.0, held);
+                here = _o182.here;
+                if (here) {
+                    const kernel_bridge_distance_out _o183 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o183.gap;
+                }
+                const kernel_roll_placed_out _o184 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, gap, turn_rate);
+                x = _o184.x;
+                y = _o184.y;
+                z = _o184.z;
+                vx = _o184.vx;
+                vy = _o184.vy;
+                vz = _o184.vz;
+                wx = _o184.wx;
+                wy = _o184.wy;
+                wz = _o184.wz;
+                if (BOUNDS) {
+                    const kernel_jump_errors_out _o185 = kernel_jump_errors(p_ball_radius, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    dx = _o185.dx;
+                    dy = _o185.dy;
+                    dz = _o185.dz;
+                    dvx = _o185.dvx;
+                    dvy = _o185.dvy;
+                    dvz = _o185.dvz;
+                    dwx = _o185.dwx;
+                    dwy = _o185.dwy;
+                    dwz = _o185.dwz;
+                    const kernel_forget_grip_deficit_out _o186 = kernel_forget_grip_deficit();
+                    last_grip_deficit = _o186.last_grip_deficit;
+                }
+                const kernel_beginning_contact_out _o187 = kernel_beginning_contact();
+                which = _o187.which;
+                circled = _o187.circled;
+            }
+            const kernel_circles_out _o188 = kernel_circles(0.0, held, rolling);
+            circling = _o188.circling;
+            rolling = _o188.rolling;
             for (size_t _turn = 0; _turn < 16; _turn++) {
                 if (!rolling)
                     break;
                 if (BOUNDS) {
-                    const kernel_error_bounds_out _o186 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                    position_error = _o186.position_error;
-                    velocity_error = _o186.velocity_error;
+                    const kernel_error_bounds_out _o189 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    position_error = _o189.position_error;
+                    velocity_error = _o189.velocity_error;
                 }
-                const kernel_holding_out _o187 = kernel_holding(1.0, held);
-                here = _o187.here;
-                if (here) {
-                    const kernel_backboard_normal_out _o188 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = _o188.nx;
-                    ny = _o188.ny;
-                    nz = _o188.nz;
-                    const kernel_backboard_rolling_surface_out _o189 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                    bent_x = _o189.bent_x;
-                    bent_y = _o189.bent_y;
-                    bent_z = _o189.bent_z;
-                    per_reach = _o189.per_reach;
-                }
-                const kernel_holding_out _o190 = kernel_holding(2.0, held);
+                const kernel_holding_out _o190 = kernel_holding(1.0, held);
                 here = _o190.here;
                 if (here) {
-                    const kernel_bridge_normal_out _o191 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    const kernel_backboard_normal_out _o191 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
                     nx = _o191.nx;
                     ny = _o191.ny;
                     nz = _o191.nz;
-                    const kernel_bridge_rolling_surface_out _o192 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    const kernel_backboard_rolling_surface_out _o192 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
                     bent_x = _o192.bent_x;
                     bent_y = _o192.bent_y;
                     bent_z = _o192.bent_z;
                     per_reach = _o192.per_reach;
                 }
-                const kernel_roll_start_out _o193 = kernel_roll_start(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                vx_0 = _o193.vx_0;
-                vy_0 = _o193.vy_0;
-                vz_0 = _o193.vz_0;
-                nx_0 = _o193.nx_0;
-                ny_0 = _o193.ny_0;
-                nz_0 = _o193.nz_0;
-                turn_rate_0 = _o193.turn_rate_0;
-                const kernel_roll_0_out _o194 = kernel_roll_0(p_gravity, p_inertia, nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0);
-                lift_0 = _o194.lift_0;
-                tx_0 = _o194.tx_0;
-                ty_0 = _o194.ty_0;
-                tz_0 = _o194.tz_0;
-                vx_1 = _o194.vx_1;
-                vy_1 = _o194.vy_1;
-                vz_1 = _o194.vz_1;
-                nx_1 = _o194.nx_1;
-                ny_1 = _o194.ny_1;
-                nz_1 = _o194.nz_1;
-                turn_rate_1 = _o194.turn_rate_1;
-                const kernel_roll_1_out _o195 = kernel_roll_1(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0);
-                lift_1 = _o195.lift_1;
-                tx_1 = _o195.tx_1;
-                ty_1 = _o195.ty_1;
-                tz_1 = _o195.tz_1;
-                vx_2 = _o195.vx_2;
-                vy_2 = _o195.vy_2;
-                vz_2 = _o195.vz_2;
-                nx_2 = _o195.nx_2;
-                ny_2 = _o195.ny_2;
-                nz_2 = _o195.nz_2;
-                turn_rate_2 = _o195.turn_rate_2;
-                const kernel_roll_2_out _o196 = kernel_roll_2(p_gravity, p_inertia, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-                lift_2 = _o196.lift_2;
-                tx_2 = _o196.tx_2;
-                ty_2 = _o196.ty_2;
-                tz_2 = _o196.tz_2;
-                vx_3 = _o196.vx_3;
-                vy_3 = _o196.vy_3;
-                vz_3 = _o196.vz_3;
-                nx_3 = _o196.nx_3;
-                ny_3 = _o196.ny_3;
-                nz_3 = _o196.nz_3;
-                turn_rate_3 = _o196.turn_rate_3;
-                const kernel_roll_3_out _o197 = kernel_roll_3(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2);
-                lift_3 = _o197.lift_3;
-                tx_3 = _o197.tx_3;
-                ty_3 = _o197.ty_3;
-                tz_3 = _o197.tz_3;
-                vx_4 = _o197.vx_4;
-                vy_4 = _o197.vy_4;
-                vz_4 = _o197.vz_4;
-                nx_4 = _o197.nx_4;
-                ny_4 = _o197.ny_4;
-                nz_4 = _o197.nz_4;
-                turn_rate_4 = _o197.turn_rate_4;
-                const kernel_roll_4_out _o198 = kernel_roll_4(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3);
-                lift_4 = _o198.lift_4;
-                tx_4 = _o198.tx_4;
-                ty_4 = _o198.ty_4;
-                tz_4 = _o198.tz_4;
-                vx_5 = _o198.vx_5;
-                vy_5 = _o198.vy_5;
-                vz_5 = _o198.vz_5;
-                nx_5 = _o198.nx_5;
-                ny_5 = _o198.ny_5;
-                nz_5 = _o198.nz_5;
-                turn_rate_5 = _o198.turn_rate_5;
-                const kernel_roll_5_out _o199 = kernel_roll_5(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4);
-                lift_5 = _o199.lift_5;
-                tx_5 = _o199.tx_5;
-                ty_5 = _o199.ty_5;
-                tz_5 = _o199.tz_5;
-                vx_6 = _o199.vx_6;
-                vy_6 = _o199.vy_6;
-                vz_6 = _o199.vz_6;
-                nx_6 = _o199.nx_6;
-                ny_6 = _o199.ny_6;
-                nz_6 = _o199.nz_6;
-                turn_rate_6 = _o199.turn_rate_6;
-                const kernel_roll_6_out _o200 = kernel_roll_6(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5);
-                lift_6 = _o200.lift_6;
-                tx_6 = _o200.tx_6;
-                ty_6 = _o200.ty_6;
-                tz_6 = _o200.tz_6;
-                vx_7 = _o200.vx_7;
-                vy_7 = _o200.vy_7;
-                vz_7 = _o200.vz_7;
-                nx_7 = _o200.nx_7;
-                ny_7 = _o200.ny_7;
-                nz_7 = _o200.nz_7;
-                turn_rate_7 = _o200.turn_rate_7;
-                const kernel_roll_7_out _o201 = kernel_roll_7(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6);
-                lift_7 = _o201.lift_7;
-                vx_8 = _o201.vx_8;
-                vy_8 = _o201.vy_8;
-                vz_8 = _o201.vz_8;
-                nx_8 = _o201.nx_8;
-                ny_8 = _o201.ny_8;
-                nz_8 = _o201.nz_8;
-                turn_rate_8 = _o201.turn_rate_8;
-                const kernel_roll_step_out _o202 = kernel_roll_step(p_gravity, p_inertia, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7);
-                stride = _o202.stride;
-                strongest = _o202.strongest;
-                fastest = _o202.fastest;
-                force = _o202.force;
-                force_rate = _o202.force_rate;
-                force_bend = _o202.force_bend;
-                friction_force_rate = _o202.friction_force_rate;
+                const kernel_holding_out _o193 = kernel_holding(2.0, held);
+                here = _o193.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o194 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o194.nx;
+                    ny = _o194.ny;
+                    nz = _o194.nz;
+                    const kernel_bridge_rolling_surface_out _o195 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    bent_x = _o195.bent_x;
+                    bent_y = _o195.bent_y;
+                    bent_z = _o195.bent_z;
+                    per_reach = _o195.per_reach;
+                }
+                const kernel_roll_start_out _o196 = kernel_roll_start(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+                vx_0 = _o196.vx_0;
+                vy_0 = _o196.vy_0;
+                vz_0 = _o196.vz_0;
+                nx_0 = _o196.nx_0;
+                ny_0 = _o196.ny_0;
+                nz_0 = _o196.nz_0;
+                turn_rate_0 = _o196.turn_rate_0;
+                const kernel_roll_0_out _o197 = kernel_roll_0(p_gravity, p_inertia, nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0);
+                lift_0 = _o197.lift_0;
+                tx_0 = _o197.tx_0;
+                ty_0 = _o197.ty_0;
+                tz_0 = _o197.tz_0;
+                vx_1 = _o197.vx_1;
+                vy_1 = _o197.vy_1;
+                vz_1 = _o197.vz_1;
+                nx_1 = _o197.nx_1;
+                ny_1 = _o197.ny_1;
+                nz_1 = _o197.nz_1;
+                turn_rate_1 = _o197.turn_rate_1;
+                const kernel_roll_1_out _o198 = kernel_roll_1(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0);
+                lift_1 = _o198.lift_1;
+                tx_1 = _o198.tx_1;
+                ty_1 = _o198.ty_1;
+                tz_1 = _o198.tz_1;
+                vx_2 = _o198.vx_2;
+                vy_2 = _o198.vy_2;
+                vz_2 = _o198.vz_2;
+                nx_2 = _o198.nx_2;
+                ny_2 = _o198.ny_2;
+                nz_2 = _o198.nz_2;
+                turn_rate_2 = _o198.turn_rate_2;
+                const kernel_roll_2_out _o199 = kernel_roll_2(p_gravity, p_inertia, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+                lift_2 = _o199.lift_2;
+                tx_2 = _o199.tx_2;
+                ty_2 = _o199.ty_2;
+                tz_2 = _o199.tz_2;
+                vx_3 = _o199.vx_3;
+                vy_3 = _o199.vy_3;
+                vz_3 = _o199.vz_3;
+                nx_3 = _o199.nx_3;
+                ny_3 = _o199.ny_3;
+                nz_3 = _o199.nz_3;
+                turn_rate_3 = _o199.turn_rate_3;
+                const kernel_roll_3_out _o200 = kernel_roll_3(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2);
+                lift_3 = _o200.lift_3;
+                tx_3 = _o200.tx_3;
+                ty_3 = _o200.ty_3;
+                tz_3 = _o200.tz_3;
+                vx_4 = _o200.vx_4;
+                vy_4 = _o200.vy_4;
+                vz_4 = _o200.vz_4;
+                nx_4 = _o200.nx_4;
+                ny_4 = _o200.ny_4;
+                nz_4 = _o200.nz_4;
+                turn_rate_4 = _o200.turn_rate_4;
+                const kernel_roll_4_out _o201 = kernel_roll_4(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3);
+                lift_4 = _o201.lift_4;
+                tx_4 = _o201.tx_4;
+                ty_4 = _o201.ty_4;
+                tz_4 = _o201.tz_4;
+                vx_5 = _o201.vx_5;
+                vy_5 = _o201.vy_5;
+                vz_5 = _o201.vz_5;
+                nx_5 = _o201.nx_5;
+                ny_5 = _o201.ny_5;
+                nz_5 = _o201.nz_5;
+                turn_rate_5 = _o201.turn_rate_5;
+                const kernel_roll_5_out _o202 = kernel_roll_5(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4);
+                lift_5 = _o202.lift_5;
+                tx_5 = _o202.tx_5;
+                ty_5 = _o202.ty_5;
+                tz_5 = _o202.tz_5;
+                vx_6 = _o202.vx_6;
+                vy_6 = _o202.vy_6;
+                vz_6 = _o202.vz_6;
+                nx_6 = _o202.nx_6;
+                ny_6 = _o202.ny_6;
+                nz_6 = _o202.nz_6;
+                turn_rate_6 = _o202.turn_rate_6;
+                const kernel_roll_6_out _o203 = kernel_roll_6(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5);
+                lift_6 = _o203.lift_6;
+                tx_6 = _o203.tx_6;
+                ty_6 = _o203.ty_6;
+                tz_6 = _o203.tz_6;
+                vx_7 = _o203.vx_7;
+                vy_7 = _o203.vy_7;
+                vz_7 = _o203.vz_7;
+                nx_7 = _o203.nx_7;
+                ny_7 = _o203.ny_7;
+                nz_7 = _o203.nz_7;
+                turn_rate_7 = _o203.turn_rate_7;
+                const kernel_roll_7_out _o204 = kernel_roll_7(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6);
+                lift_7 = _o204.lift_7;
+                vx_8 = _o204.vx_8;
+                vy_8 = _o204.vy_8;
+                vz_8 = _o204.vz_8;
+                nx_8 = _o204.nx_8;
+                ny_8 = _o204.ny_8;
+                nz_8 = _o204.nz_8;
+                turn_rate_8 = _o204.turn_rate_8;
+                const kernel_roll_step_out _o205 = kernel_roll_step(p_gravity, p_inertia, nx_8, ny_8, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, nz_8, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, lift_7);
+                stride = _o205.stride;
+                strongest = _o205.strongest;
+                fastest = _o205.fastest;
+                force = _o205.force;
+                force_rate = _o205.force_rate;
+                force_bend = _o205.force_bend;
+                friction_force_rate = _o205.friction_force_rate;
                 if (BOUNDS)
-                    missed = _o202.missed;
+                    missed = _o205.missed;
                 if (BOUNDS) {
-                    const kernel_ring_friction_out _o203 = kernel_ring_friction(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-                    rolling_friction = _o203.rolling_friction;
-                    rolling_friction_rate = _o203.rolling_friction_rate;
-                    grip_deficit = _o203.grip_deficit;
-                    grip_deficit_rate = _o203.grip_deficit_rate;
-                    const kernel_holding_out _o204 = kernel_holding(1.0, held);
-                    here = _o204.here;
+                    const kernel_ring_friction_out _o206 = kernel_ring_friction(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+                    rolling_friction = _o206.rolling_friction;
+                    rolling_friction_rate = _o206.rolling_friction_rate;
+                    grip_deficit = _o206.grip_deficit;
+                    grip_deficit_rate = _o206.grip_deficit_rate;
+                    const kernel_holding_out _o207 = kernel_holding(1.0, held);
+                    here = _o207.here;
                     if (here) {
-                        const kernel_ring_impact_grip_deficit_out _o205 = kernel_ring_impact_grip_deficit(p_backboard_friction, rolling_friction, rolling_friction_rate, force, force_rate);
-                        grip_deficit = _o205.grip_deficit;
-                        grip_deficit_rate = _o205.grip_deficit_rate;
+                        const kernel_ring_impact_grip_deficit_out _o208 = kernel_ring_impact_grip_deficit(p_backboard_friction, rolling_friction, rolling_friction_rate, force, force_rate);
+                        grip_deficit = _o208.grip_deficit;
+                        grip_deficit_rate = _o208.grip_deficit_rate;
                     }
-                    const kernel_holding_out _o206 = kernel_holding(2.0, held);
-                    here = _o206.here;
+                    const kernel_holding_out _o209 = kernel_holding(2.0, held);
+                    here = _o209.here;
                     if (here) {
-                        const kernel_ring_impact_grip_deficit_out _o207 = kernel_ring_impact_grip_deficit(p_bridge_friction, rolling_friction, rolling_friction_rate, force, force_rate);
-                        grip_deficit = _o207.grip_deficit;
-                        grip_deficit_rate = _o207.grip_deficit_rate;
+                        const kernel_ring_impact_grip_deficit_out _o210 = kernel_ring_impact_grip_deficit(p_bridge_friction, rolling_friction, rolling_friction_rate, force, force_rate);
+                        grip_deficit = _o210.grip_deficit;
+                        grip_deficit_rate = _o210.grip_deficit_rate;
                     }
-                    const kernel_exceeds_grip_out _o208 = kernel_exceeds_grip(grip_deficit, grip_lost);
-                    loses = _o208.loses;
+                    const kernel_exceeds_grip_out _o211 = kernel_exceeds_grip(grip_deficit, grip_lost);
+                    loses = _o211.loses;
                     if (loses) {
-                        const kernel_grip_lost_time_out _o209 = kernel_grip_lost_time(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
-                        grip_lost = _o209.grip_lost;
+                        const kernel_grip_lost_time_out _o212 = kernel_grip_lost_time(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
+                        grip_lost = _o212.grip_lost;
                     }
-                    const kernel_remember_grip_deficit_out _o210 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
-                    last_grip_deficit = _o210.last_grip_deficit;
-                    last_grip_deficit_rate = _o210.last_grip_deficit_rate;
-                    last_grip_clock = _o210.last_grip_clock;
+                    const kernel_remember_grip_deficit_out _o213 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
+                    last_grip_deficit = _o213.last_grip_deficit;
+                    last_grip_deficit_rate = _o213.last_grip_deficit_rate;
+                    last_grip_clock = _o213.last_grip_clock;
                 }
-                const kernel_leaving_force_out _o211 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, undecided_time, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
-                stride = _o211.stride;
-                which = _o211.which;
-                rests = _o211.rests;
+                const kernel_leaving_force_out _o214 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, undecided_time, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
+                stride = _o214.stride;
+                which = _o214.which;
+                rests = _o214.rests;
                 if (BOUNDS)
-                    undecided_time = _o211.undecided_time;
-                const kernel_beside_out _o212 = kernel_beside(0.0, held);
-                beside = _o212.beside;
-                if (beside) {
-                    const kernel_ring_beside_out _o213 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    gap = _o213.gap;
-                    nearing = _o213.nearing;
-                    gap_curvature = _o213.gap_curvature;
-                    const kernel_beside_body_out _o214 = kernel_beside_body(p_ball_radius, x, y, z, gap, 0.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                    stride = _o214.stride;
-                    which = _o214.which;
-                    if (BOUNDS) {
-                        undecided_time = _o214.undecided_time;
-                        earliest_delay = _o214.earliest_delay;
-                    }
-                }
-                const kernel_beside_out _o215 = kernel_beside(1.0, held);
+                    undecided_time = _o214.undecided_time;
+                const kernel_beside_out _o215 = kernel_beside(0.0, held);
                 beside = _o215.beside;
                 if (beside) {
-                    const kernel_backboard_beside_out _o216 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    const kernel_ring_beside_out _o216 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
                     gap = _o216.gap;
                     nearing = _o216.nearing;
                     gap_curvature = _o216.gap_curvature;
-                    const kernel_beside_body_out _o217 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    const kernel_beside_body_out _o217 = kernel_beside_body(p_ball_radius, x, y, z, gap, 0.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                     stride = _o217.stride;
                     which = _o217.which;
                     if (BOUNDS) {
@@ -6436,14 +6461,14 @@ static __device__ __forceinline__ void court_loop(
                         earliest_delay = _o217.earliest_delay;
                     }
                 }
-                const kernel_beside_out _o218 = kernel_beside(2.0, held);
+                const kernel_beside_out _o218 = kernel_beside(1.0, held);
                 beside = _o218.beside;
                 if (beside) {
-                    const kernel_bridge_beside_out _o219 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    const kernel_backboard_beside_out _o219 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
                     gap = _o219.gap;
                     nearing = _o219.nearing;
                     gap_curvature = _o219.gap_curvature;
-                    const kernel_beside_body_out _o220 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    const kernel_beside_body_out _o220 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                     stride = _o220.stride;
                     which = _o220.which;
                     if (BOUNDS) {
@@ -6451,1492 +6476,1507 @@ static __device__ __forceinline__ void court_loop(
                         earliest_delay = _o220.earliest_delay;
                     }
                 }
-                const kernel_end_beside_out _o221 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o221.gap;
-                nearing = _o221.nearing;
-                gap_curvature = _o221.gap_curvature;
-                const kernel_beside_end_plane_out _o222 = kernel_beside_end_plane(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                stride = _o222.stride;
-                which = _o222.which;
+                const kernel_beside_out _o221 = kernel_beside(2.0, held);
+                beside = _o221.beside;
+                if (beside) {
+                    const kernel_bridge_beside_out _o222 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    gap = _o222.gap;
+                    nearing = _o222.nearing;
+                    gap_curvature = _o222.gap_curvature;
+                    const kernel_beside_body_out _o223 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                    stride = _o223.stride;
+                    which = _o223.which;
+                    if (BOUNDS) {
+                        undecided_time = _o223.undecided_time;
+                        earliest_delay = _o223.earliest_delay;
+                    }
+                }
+                const kernel_end_beside_out _o224 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o224.gap;
+                nearing = _o224.nearing;
+                gap_curvature = _o224.gap_curvature;
+                const kernel_beside_end_plane_out _o225 = kernel_beside_end_plane(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o225.stride;
+                which = _o225.which;
                 if (BOUNDS) {
-                    undecided_time = _o222.undecided_time;
-                    earliest_delay = _o222.earliest_delay;
+                    undecided_time = _o225.undecided_time;
+                    earliest_delay = _o225.earliest_delay;
                 }
-                const kernel_holding_out _o223 = kernel_holding(1.0, held);
-                here = _o223.here;
+                const kernel_holding_out _o226 = kernel_holding(1.0, held);
+                here = _o226.here;
                 if (here) {
-                    const kernel_backboard_seam0_out _o224 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
-                    gap = _o224.gap;
-                    nearing = _o224.nearing;
-                    near = _o224.near;
-                    const kernel_beside_seam_out _o225 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o225.stride;
-                    const kernel_backboard_seam1_out _o226 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
-                    gap = _o226.gap;
-                    nearing = _o226.nearing;
-                    near = _o226.near;
-                    const kernel_beside_seam_out _o227 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o227.stride;
-                    const kernel_backboard_seam2_out _o228 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
-                    gap = _o228.gap;
-                    nearing = _o228.nearing;
-                    near = _o228.near;
-                    const kernel_beside_seam_out _o229 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o229.stride;
-                    const kernel_backboard_seam3_out _o230 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
-                    gap = _o230.gap;
-                    nearing = _o230.nearing;
-                    near = _o230.near;
-                    const kernel_beside_seam_out _o231 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o231.stride;
-                    const kernel_backboard_seam4_out _o232 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
-                    gap = _o232.gap;
-                    nearing = _o232.nearing;
-                    near = _o232.near;
-                    const kernel_beside_seam_out _o233 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o233.stride;
-                    const kernel_backboard_seam5_out _o234 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
-                    gap = _o234.gap;
-                    nearing = _o234.nearing;
-                    near = _o234.near;
-                    const kernel_beside_seam_out _o235 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o235.stride;
-                }
-                const kernel_holding_out _o236 = kernel_holding(2.0, held);
-                here = _o236.here;
-                if (here) {
-                    const kernel_bridge_seam0_out _o237 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    const kernel_backboard_seam0_out _o227 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o227.gap;
+                    nearing = _o227.nearing;
+                    near = _o227.near;
+                    const kernel_beside_seam_out _o228 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o228.stride;
+                    const kernel_backboard_seam1_out _o229 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o229.gap;
+                    nearing = _o229.nearing;
+                    near = _o229.near;
+                    const kernel_beside_seam_out _o230 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o230.stride;
+                    const kernel_backboard_seam2_out _o231 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o231.gap;
+                    nearing = _o231.nearing;
+                    near = _o231.near;
+                    const kernel_beside_seam_out _o232 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o232.stride;
+                    const kernel_backboard_seam3_out _o233 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o233.gap;
+                    nearing = _o233.nearing;
+                    near = _o233.near;
+                    const kernel_beside_seam_out _o234 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o234.stride;
+                    const kernel_backboard_seam4_out _o235 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o235.gap;
+                    nearing = _o235.nearing;
+                    near = _o235.near;
+                    const kernel_beside_seam_out _o236 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o236.stride;
+                    const kernel_backboard_seam5_out _o237 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
                     gap = _o237.gap;
                     nearing = _o237.nearing;
                     near = _o237.near;
                     const kernel_beside_seam_out _o238 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
                     stride = _o238.stride;
-                    const kernel_bridge_seam1_out _o239 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
-                    gap = _o239.gap;
-                    nearing = _o239.nearing;
-                    near = _o239.near;
-                    const kernel_beside_seam_out _o240 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o240.stride;
-                    const kernel_bridge_seam2_out _o241 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
-                    gap = _o241.gap;
-                    nearing = _o241.nearing;
-                    near = _o241.near;
-                    const kernel_beside_seam_out _o242 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o242.stride;
-                    const kernel_bridge_seam3_out _o243 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
-                    gap = _o243.gap;
-                    nearing = _o243.nearing;
-                    near = _o243.near;
-                    const kernel_beside_seam_out _o244 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o244.stride;
-                    const kernel_bridge_seam4_out _o245 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
-                    gap = _o245.gap;
-                    nearing = _o245.nearing;
-                    near = _o245.near;
-                    const kernel_beside_seam_out _o246 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o246.stride;
-                    const kernel_bridge_seam5_out _o247 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
-                    gap = _o247.gap;
-                    nearing = _o247.nearing;
-                    near = _o247.near;
-                    const kernel_beside_seam_out _o248 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
-                    stride = _o248.stride;
                 }
-                const kernel_beside_time_out _o249 = kernel_beside_time(which, clock, time_limit, stride);
-                stride = _o249.stride;
-                which = _o249.which;
-                if (BOUNDS) {
-                    const kernel_neighbour_scale_out _o250 = kernel_neighbour_scale(p_ball_radius, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                    neighbour_scale = _o250.neighbour_scale;
-                    const kernel_neighbour_out _o251 = kernel_neighbour(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
-                    far_x = _o251.far_x;
-                    far_y = _o251.far_y;
-                    far_z = _o251.far_z;
-                    far_vx = _o251.far_vx;
-                    far_vy = _o251.far_vy;
-                    far_vz = _o251.far_vz;
-                    far_wx = _o251.far_wx;
-                    far_wy = _o251.far_wy;
-                    far_wz = _o251.far_wz;
-                    far_nx = _o251.far_nx;
-                    far_ny = _o251.far_ny;
-                    far_nz = _o251.far_nz;
-                    far_gap = _o251.far_gap;
-                }
-                const kernel_passing_from_out _o252 = kernel_passing_from(z);
-                over = _o252.over;
-                const kernel_roll_moved_out _o253 = kernel_roll_moved(x, y, z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
-                x = _o253.x;
-                vx = _o253.vx;
-                y = _o253.y;
-                vy = _o253.vy;
-                z = _o253.z;
-                vz = _o253.vz;
-                turn_rate = _o253.turn_rate;
-                const kernel_holding_out _o254 = kernel_holding(1.0, held);
-                here = _o254.here;
+                const kernel_holding_out _o239 = kernel_holding(2.0, held);
+                here = _o239.here;
                 if (here) {
-                    const kernel_backboard_normal_out _o255 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = _o255.nx;
-                    ny = _o255.ny;
-                    nz = _o255.nz;
-                    const kernel_backboard_distance_out _o256 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                    gap = _o256.gap;
+                    const kernel_bridge_seam0_out _o240 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o240.gap;
+                    nearing = _o240.nearing;
+                    near = _o240.near;
+                    const kernel_beside_seam_out _o241 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o241.stride;
+                    const kernel_bridge_seam1_out _o242 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o242.gap;
+                    nearing = _o242.nearing;
+                    near = _o242.near;
+                    const kernel_beside_seam_out _o243 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o243.stride;
+                    const kernel_bridge_seam2_out _o244 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o244.gap;
+                    nearing = _o244.nearing;
+                    near = _o244.near;
+                    const kernel_beside_seam_out _o245 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o245.stride;
+                    const kernel_bridge_seam3_out _o246 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o246.gap;
+                    nearing = _o246.nearing;
+                    near = _o246.near;
+                    const kernel_beside_seam_out _o247 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o247.stride;
+                    const kernel_bridge_seam4_out _o248 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o248.gap;
+                    nearing = _o248.nearing;
+                    near = _o248.near;
+                    const kernel_beside_seam_out _o249 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o249.stride;
+                    const kernel_bridge_seam5_out _o250 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o250.gap;
+                    nearing = _o250.nearing;
+                    near = _o250.near;
+                    const kernel_beside_seam_out _o251 = kernel_beside_seam(gap, near, nearing, stride, strongest, fastest);
+                    stride = _o251.stride;
                 }
-                const kernel_holding_out _o257 = kernel_holding(2.0, held);
+                const kernel_beside_time_out _o252 = kernel_beside_time(which, clock, time_limit, stride);
+                stride = _o252.stride;
+                which = _o252.which;
+                if (BOUNDS) {
+                    const kernel_neighbour_scale_out _o253 = kernel_neighbour_scale(p_ball_radius, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    neighbour_scale = _o253.neighbour_scale;
+                    const kernel_neighbour_out _o254 = kernel_neighbour(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
+                    far_x = _o254.far_x;
+                    far_y = _o254.far_y;
+                    far_z = _o254.far_z;
+                    far_vx = _o254.far_vx;
+                    far_vy = _o254.far_vy;
+                    far_vz = _o254.far_vz;
+                    far_wx = _o254.far_wx;
+                    far_wy = _o254.far_wy;
+                    far_wz = _o254.far_wz;
+                    far_nx = _o254.far_nx;
+                    far_ny = _o254.far_ny;
+                    far_nz = _o254.far_nz;
+                    far_gap = _o254.far_gap;
+                }
+                const kernel_passing_from_out _o255 = kernel_passing_from(z);
+                over = _o255.over;
+                const kernel_roll_moved_out _o256 = kernel_roll_moved(x, y, z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
+                x = _o256.x;
+                vx = _o256.vx;
+                y = _o256.y;
+                vy = _o256.vy;
+                z = _o256.z;
+                vz = _o256.vz;
+                turn_rate = _o256.turn_rate;
+                const kernel_holding_out _o257 = kernel_holding(1.0, held);
                 here = _o257.here;
                 if (here) {
-                    const kernel_bridge_normal_out _o258 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    const kernel_backboard_normal_out _o258 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
                     nx = _o258.nx;
                     ny = _o258.ny;
                     nz = _o258.nz;
-                    const kernel_bridge_distance_out _o259 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                    const kernel_backboard_distance_out _o259 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
                     gap = _o259.gap;
                 }
-                const kernel_roll_placed_out _o260 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, vx, vy, vz, gap, turn_rate);
-                x = _o260.x;
-                y = _o260.y;
-                z = _o260.z;
-                vx = _o260.vx;
-                vy = _o260.vy;
-                vz = _o260.vz;
-                wx = _o260.wx;
-                wy = _o260.wy;
-                wz = _o260.wz;
-                const kernel_passing_in_contact_out _o261 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
-                through = _o261.through;
+                const kernel_holding_out _o260 = kernel_holding(2.0, held);
+                here = _o260.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o261 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o261.nx;
+                    ny = _o261.ny;
+                    nz = _o261.nz;
+                    const kernel_bridge_distance_out _o262 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o262.gap;
+                }
+                const kernel_roll_placed_out _o263 = kernel_roll_placed(p_ball_radius, x, y, z, nx, ny, nz, vx, vy, vz, gap, turn_rate);
+                x = _o263.x;
+                y = _o263.y;
+                z = _o263.z;
+                vx = _o263.vx;
+                vy = _o263.vy;
+                vz = _o263.vz;
+                wx = _o263.wx;
+                wy = _o263.wy;
+                wz = _o263.wz;
+                const kernel_passing_in_contact_out _o264 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
+                through = _o264.through;
                 if (BOUNDS) {
-                    const kernel_holding_out _o262 = kernel_holding(1.0, held);
-                    here = _o262.here;
+                    const kernel_holding_out _o265 = kernel_holding(1.0, held);
+                    here = _o265.here;
                     if (here) {
-                        const kernel_backboard_normal_out _o263 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                        far_nx = _o263.nx;
-                        far_ny = _o263.ny;
-                        far_nz = _o263.nz;
+                        const kernel_backboard_normal_out _o266 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                        far_nx = _o266.nx;
+                        far_ny = _o266.ny;
+                        far_nz = _o266.nz;
                     }
-                    const kernel_holding_out _o264 = kernel_holding(2.0, held);
-                    here = _o264.here;
-                    if (here) {
-                        const kernel_bridge_normal_out _o265 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                        far_nx = _o265.nx;
-                        far_ny = _o265.ny;
-                        far_nz = _o265.nz;
-                    }
-                    const kernel_roll_turn_rate_out _o266 = kernel_roll_turn_rate(p_ball_radius, far_nx, far_ny, far_nz, far_wx, far_wy, far_wz);
-                    turn_rate = _o266.turn_rate;
-                    const kernel_holding_out _o267 = kernel_holding(1.0, held);
+                    const kernel_holding_out _o267 = kernel_holding(2.0, held);
                     here = _o267.here;
                     if (here) {
-                        const kernel_backboard_normal_out _o268 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                        const kernel_bridge_normal_out _o268 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
                         far_nx = _o268.nx;
                         far_ny = _o268.ny;
                         far_nz = _o268.nz;
-                        const kernel_backboard_distance_out _o269 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                        far_gap = _o269.gap;
                     }
-                    const kernel_holding_out _o270 = kernel_holding(2.0, held);
+                    const kernel_roll_turn_rate_out _o269 = kernel_roll_turn_rate(p_ball_radius, far_nx, far_ny, far_nz, far_wx, far_wy, far_wz);
+                    turn_rate = _o269.turn_rate;
+                    const kernel_holding_out _o270 = kernel_holding(1.0, held);
                     here = _o270.here;
                     if (here) {
-                        const kernel_bridge_normal_out _o271 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                        const kernel_backboard_normal_out _o271 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
                         far_nx = _o271.nx;
                         far_ny = _o271.ny;
                         far_nz = _o271.nz;
-                        const kernel_bridge_distance_out _o272 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                        const kernel_backboard_distance_out _o272 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
                         far_gap = _o272.gap;
                     }
-                    const kernel_roll_placed_out _o273 = kernel_roll_placed(p_ball_radius, far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate);
-                    far_x = _o273.x;
-                    far_y = _o273.y;
-                    far_z = _o273.z;
-                    far_vx = _o273.vx;
-                    far_vy = _o273.vy;
-                    far_vz = _o273.vz;
-                    far_wx = _o273.wx;
-                    far_wy = _o273.wy;
-                    far_wz = _o273.wz;
-                    const kernel_roll_start_out _o274 = kernel_roll_start(p_ball_radius, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz);
-                    vx_0 = _o274.vx_0;
-                    vy_0 = _o274.vy_0;
-                    vz_0 = _o274.vz_0;
-                    nx_0 = _o274.nx_0;
-                    ny_0 = _o274.ny_0;
-                    nz_0 = _o274.nz_0;
-                    turn_rate_0 = _o274.turn_rate_0;
-                    const kernel_roll_0_out _o275 = kernel_roll_0(p_gravity, p_inertia, nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0);
-                    lift_0 = _o275.lift_0;
-                    tx_0 = _o275.tx_0;
-                    ty_0 = _o275.ty_0;
-                    tz_0 = _o275.tz_0;
-                    vx_1 = _o275.vx_1;
-                    vy_1 = _o275.vy_1;
-                    vz_1 = _o275.vz_1;
-                    nx_1 = _o275.nx_1;
-                    ny_1 = _o275.ny_1;
-                    nz_1 = _o275.nz_1;
-                    turn_rate_1 = _o275.turn_rate_1;
-                    const kernel_roll_1_out _o276 = kernel_roll_1(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0);
-                    lift_1 = _o276.lift_1;
-                    tx_1 = _o276.tx_1;
-                    ty_1 = _o276.ty_1;
-                    tz_1 = _o276.tz_1;
-                    vx_2 = _o276.vx_2;
-                    vy_2 = _o276.vy_2;
-                    vz_2 = _o276.vz_2;
-                    nx_2 = _o276.nx_2;
-                    ny_2 = _o276.ny_2;
-                    nz_2 = _o276.nz_2;
-                    turn_rate_2 = _o276.turn_rate_2;
-                    const kernel_roll_2_out _o277 = kernel_roll_2(p_gravity, p_inertia, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
-                    lift_2 = _o277.lift_2;
-                    tx_2 = _o277.tx_2;
-                    ty_2 = _o277.ty_2;
-                    tz_2 = _o277.tz_2;
-                    vx_3 = _o277.vx_3;
-                    vy_3 = _o277.vy_3;
-                    vz_3 = _o277.vz_3;
-                    nx_3 = _o277.nx_3;
-                    ny_3 = _o277.ny_3;
-                    nz_3 = _o277.nz_3;
-                    turn_rate_3 = _o277.turn_rate_3;
-                    const kernel_roll_3_out _o278 = kernel_roll_3(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2);
-                    lift_3 = _o278.lift_3;
-                    tx_3 = _o278.tx_3;
-                    ty_3 = _o278.ty_3;
-                    tz_3 = _o278.tz_3;
-                    vx_4 = _o278.vx_4;
-                    vy_4 = _o278.vy_4;
-                    vz_4 = _o278.vz_4;
-                    nx_4 = _o278.nx_4;
-                    ny_4 = _o278.ny_4;
-                    nz_4 = _o278.nz_4;
-                    turn_rate_4 = _o278.turn_rate_4;
-                    const kernel_roll_4_out _o279 = kernel_roll_4(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3);
-                    lift_4 = _o279.lift_4;
-                    tx_4 = _o279.tx_4;
-                    ty_4 = _o279.ty_4;
-                    tz_4 = _o279.tz_4;
-                    vx_5 = _o279.vx_5;
-                    vy_5 = _o279.vy_5;
-                    vz_5 = _o279.vz_5;
-                    nx_5 = _o279.nx_5;
-                    ny_5 = _o279.ny_5;
-                    nz_5 = _o279.nz_5;
-                    turn_rate_5 = _o279.turn_rate_5;
-                    const kernel_roll_5_out _o280 = kernel_roll_5(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4);
-                    lift_5 = _o280.lift_5;
-                    tx_5 = _o280.tx_5;
-                    ty_5 = _o280.ty_5;
-                    tz_5 = _o280.tz_5;
-                    vx_6 = _o280.vx_6;
-                    vy_6 = _o280.vy_6;
-                    vz_6 = _o280.vz_6;
-                    nx_6 = _o280.nx_6;
-                    ny_6 = _o280.ny_6;
-                    nz_6 = _o280.nz_6;
-                    turn_rate_6 = _o280.turn_rate_6;
-                    const kernel_roll_6_out _o281 = kernel_roll_6(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5);
-                    lift_6 = _o281.lift_6;
-                    tx_6 = _o281.tx_6;
-                    ty_6 = _o281.ty_6;
-                    tz_6 = _o281.tz_6;
-                    vx_7 = _o281.vx_7;
-                    vy_7 = _o281.vy_7;
-                    vz_7 = _o281.vz_7;
-                    nx_7 = _o281.nx_7;
-                    ny_7 = _o281.ny_7;
-                    nz_7 = _o281.nz_7;
-                    turn_rate_7 = _o281.turn_rate_7;
-                    const kernel_roll_7_out _o282 = kernel_roll_7(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6);
-                    vx_8 = _o282.vx_8;
-                    vy_8 = _o282.vy_8;
-                    vz_8 = _o282.vz_8;
-                    turn_rate_8 = _o282.turn_rate_8;
-                    const kernel_roll_moved_out _o283 = kernel_roll_moved(far_x, far_y, far_z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
-                    far_x = _o283.x;
-                    far_vx = _o283.vx;
-                    far_y = _o283.y;
-                    far_vy = _o283.vy;
-                    far_z = _o283.z;
-                    far_vz = _o283.vz;
-                    turn_rate = _o283.turn_rate;
-                    const kernel_holding_out _o284 = kernel_holding(1.0, held);
-                    here = _o284.here;
+                    const kernel_holding_out _o273 = kernel_holding(2.0, held);
+                    here = _o273.here;
                     if (here) {
-                        const kernel_backboard_normal_out _o285 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                        far_nx = _o285.nx;
-                        far_ny = _o285.ny;
-                        far_nz = _o285.nz;
-                        const kernel_backboard_distance_out _o286 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
-                        far_gap = _o286.gap;
+                        const kernel_bridge_normal_out _o274 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                        far_nx = _o274.nx;
+                        far_ny = _o274.ny;
+                        far_nz = _o274.nz;
+                        const kernel_bridge_distance_out _o275 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                        far_gap = _o275.gap;
                     }
-                    const kernel_holding_out _o287 = kernel_holding(2.0, held);
+                    const kernel_roll_placed_out _o276 = kernel_roll_placed(p_ball_radius, far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate);
+                    far_x = _o276.x;
+                    far_y = _o276.y;
+                    far_z = _o276.z;
+                    far_vx = _o276.vx;
+                    far_vy = _o276.vy;
+                    far_vz = _o276.vz;
+                    far_wx = _o276.wx;
+                    far_wy = _o276.wy;
+                    far_wz = _o276.wz;
+                    const kernel_roll_start_out _o277 = kernel_roll_start(p_ball_radius, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz);
+                    vx_0 = _o277.vx_0;
+                    vy_0 = _o277.vy_0;
+                    vz_0 = _o277.vz_0;
+                    nx_0 = _o277.nx_0;
+                    ny_0 = _o277.ny_0;
+                    nz_0 = _o277.nz_0;
+                    turn_rate_0 = _o277.turn_rate_0;
+                    const kernel_roll_0_out _o278 = kernel_roll_0(p_gravity, p_inertia, nx_0, ny_0, nz_0, vx_0, vy_0, vz_0, bent_x, bent_y, bent_z, per_reach, turn_rate_0);
+                    lift_0 = _o278.lift_0;
+                    tx_0 = _o278.tx_0;
+                    ty_0 = _o278.ty_0;
+                    tz_0 = _o278.tz_0;
+                    vx_1 = _o278.vx_1;
+                    vy_1 = _o278.vy_1;
+                    vz_1 = _o278.vz_1;
+                    nx_1 = _o278.nx_1;
+                    ny_1 = _o278.ny_1;
+                    nz_1 = _o278.nz_1;
+                    turn_rate_1 = _o278.turn_rate_1;
+                    const kernel_roll_1_out _o279 = kernel_roll_1(p_gravity, p_inertia, nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, vx_0, vx_1, vy_0, vy_1, vz_0, vz_1, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, lift_0, tx_0, ty_0, tz_0);
+                    lift_1 = _o279.lift_1;
+                    tx_1 = _o279.tx_1;
+                    ty_1 = _o279.ty_1;
+                    tz_1 = _o279.tz_1;
+                    vx_2 = _o279.vx_2;
+                    vy_2 = _o279.vy_2;
+                    vz_2 = _o279.vz_2;
+                    nx_2 = _o279.nx_2;
+                    ny_2 = _o279.ny_2;
+                    nz_2 = _o279.nz_2;
+                    turn_rate_2 = _o279.turn_rate_2;
+                    const kernel_roll_2_out _o280 = kernel_roll_2(p_gravity, p_inertia, nx_0, nx_1, nx_2, ny_0, ny_1, ny_2, nz_0, nz_1, nz_2, vx_0, vx_1, vx_2, vy_0, vy_1, vy_2, vz_0, vz_1, vz_2, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, lift_0, lift_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1);
+                    lift_2 = _o280.lift_2;
+                    tx_2 = _o280.tx_2;
+                    ty_2 = _o280.ty_2;
+                    tz_2 = _o280.tz_2;
+                    vx_3 = _o280.vx_3;
+                    vy_3 = _o280.vy_3;
+                    vz_3 = _o280.vz_3;
+                    nx_3 = _o280.nx_3;
+                    ny_3 = _o280.ny_3;
+                    nz_3 = _o280.nz_3;
+                    turn_rate_3 = _o280.turn_rate_3;
+                    const kernel_roll_3_out _o281 = kernel_roll_3(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, ny_0, ny_1, ny_2, ny_3, nz_0, nz_1, nz_2, nz_3, vx_0, vx_1, vx_2, vx_3, vy_0, vy_1, vy_2, vy_3, vz_0, vz_1, vz_2, vz_3, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, lift_0, lift_1, lift_2, tx_0, tx_1, tx_2, ty_0, ty_1, ty_2, tz_0, tz_1, tz_2);
+                    lift_3 = _o281.lift_3;
+                    tx_3 = _o281.tx_3;
+                    ty_3 = _o281.ty_3;
+                    tz_3 = _o281.tz_3;
+                    vx_4 = _o281.vx_4;
+                    vy_4 = _o281.vy_4;
+                    vz_4 = _o281.vz_4;
+                    nx_4 = _o281.nx_4;
+                    ny_4 = _o281.ny_4;
+                    nz_4 = _o281.nz_4;
+                    turn_rate_4 = _o281.turn_rate_4;
+                    const kernel_roll_4_out _o282 = kernel_roll_4(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, ny_0, ny_1, ny_2, ny_3, ny_4, nz_0, nz_1, nz_2, nz_3, nz_4, vx_0, vx_1, vx_2, vx_3, vx_4, vy_0, vy_1, vy_2, vy_3, vy_4, vz_0, vz_1, vz_2, vz_3, vz_4, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, lift_0, lift_1, lift_2, lift_3, tx_0, tx_1, tx_2, tx_3, ty_0, ty_1, ty_2, ty_3, tz_0, tz_1, tz_2, tz_3);
+                    lift_4 = _o282.lift_4;
+                    tx_4 = _o282.tx_4;
+                    ty_4 = _o282.ty_4;
+                    tz_4 = _o282.tz_4;
+                    vx_5 = _o282.vx_5;
+                    vy_5 = _o282.vy_5;
+                    vz_5 = _o282.vz_5;
+                    nx_5 = _o282.nx_5;
+                    ny_5 = _o282.ny_5;
+                    nz_5 = _o282.nz_5;
+                    turn_rate_5 = _o282.turn_rate_5;
+                    const kernel_roll_5_out _o283 = kernel_roll_5(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, lift_0, lift_1, lift_2, lift_3, lift_4, tx_0, tx_1, tx_2, tx_3, tx_4, ty_0, ty_1, ty_2, ty_3, ty_4, tz_0, tz_1, tz_2, tz_3, tz_4);
+                    lift_5 = _o283.lift_5;
+                    tx_5 = _o283.tx_5;
+                    ty_5 = _o283.ty_5;
+                    tz_5 = _o283.tz_5;
+                    vx_6 = _o283.vx_6;
+                    vy_6 = _o283.vy_6;
+                    vz_6 = _o283.vz_6;
+                    nx_6 = _o283.nx_6;
+                    ny_6 = _o283.ny_6;
+                    nz_6 = _o283.nz_6;
+                    turn_rate_6 = _o283.turn_rate_6;
+                    const kernel_roll_6_out _o284 = kernel_roll_6(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5);
+                    lift_6 = _o284.lift_6;
+                    tx_6 = _o284.tx_6;
+                    ty_6 = _o284.ty_6;
+                    tz_6 = _o284.tz_6;
+                    vx_7 = _o284.vx_7;
+                    vy_7 = _o284.vy_7;
+                    vz_7 = _o284.vz_7;
+                    nx_7 = _o284.nx_7;
+                    ny_7 = _o284.ny_7;
+                    nz_7 = _o284.nz_7;
+                    turn_rate_7 = _o284.turn_rate_7;
+                    const kernel_roll_7_out _o285 = kernel_roll_7(p_gravity, p_inertia, nx_0, nx_1, nx_2, nx_3, nx_4, nx_5, nx_6, nx_7, ny_0, ny_1, ny_2, ny_3, ny_4, ny_5, ny_6, ny_7, nz_0, nz_1, nz_2, nz_3, nz_4, nz_5, nz_6, nz_7, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, bent_x, bent_y, bent_z, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, lift_0, lift_1, lift_2, lift_3, lift_4, lift_5, lift_6, tx_0, tx_1, tx_2, tx_3, tx_4, tx_5, tx_6, ty_0, ty_1, ty_2, ty_3, ty_4, ty_5, ty_6, tz_0, tz_1, tz_2, tz_3, tz_4, tz_5, tz_6);
+                    vx_8 = _o285.vx_8;
+                    vy_8 = _o285.vy_8;
+                    vz_8 = _o285.vz_8;
+                    turn_rate_8 = _o285.turn_rate_8;
+                    const kernel_roll_moved_out _o286 = kernel_roll_moved(far_x, far_y, far_z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
+                    far_x = _o286.x;
+                    far_vx = _o286.vx;
+                    far_y = _o286.y;
+                    far_vy = _o286.vy;
+                    far_z = _o286.z;
+                    far_vz = _o286.vz;
+                    turn_rate = _o286.turn_rate;
+                    const kernel_holding_out _o287 = kernel_holding(1.0, held);
                     here = _o287.here;
                     if (here) {
-                        const kernel_bridge_normal_out _o288 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                        const kernel_backboard_normal_out _o288 = kernel_backboard_normal(far_x, far_y, far_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
                         far_nx = _o288.nx;
                         far_ny = _o288.ny;
                         far_nz = _o288.nz;
-                        const kernel_bridge_distance_out _o289 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                        const kernel_backboard_distance_out _o289 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, far_x, far_y, far_z);
                         far_gap = _o289.gap;
                     }
-                    const kernel_roll_placed_out _o290 = kernel_roll_placed(p_ball_radius, far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate);
-                    far_x = _o290.x;
-                    far_y = _o290.y;
-                    far_z = _o290.z;
-                    far_vx = _o290.vx;
-                    far_vy = _o290.vy;
-                    far_vz = _o290.vz;
-                    far_wx = _o290.wx;
-                    far_wy = _o290.wy;
-                    far_wz = _o290.wz;
-                    const kernel_compared_out _o291 = kernel_compared(p_ball_radius, x, y, z, vx, vy, vz, wx, wy, wz, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, stride, missed, neighbour_scale);
-                    dx = _o291.dx;
-                    dy = _o291.dy;
-                    dz = _o291.dz;
-                    dvx = _o291.dvx;
-                    dvy = _o291.dvy;
-                    dvz = _o291.dvz;
-                    dwx = _o291.dwx;
-                    dwy = _o291.dwy;
-                    dwz = _o291.dwz;
+                    const kernel_holding_out _o290 = kernel_holding(2.0, held);
+                    here = _o290.here;
+                    if (here) {
+                        const kernel_bridge_normal_out _o291 = kernel_bridge_normal(far_x, far_y, far_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                        far_nx = _o291.nx;
+                        far_ny = _o291.ny;
+                        far_nz = _o291.nz;
+                        const kernel_bridge_distance_out _o292 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, far_x, far_y, far_z);
+                        far_gap = _o292.gap;
+                    }
+                    const kernel_roll_placed_out _o293 = kernel_roll_placed(p_ball_radius, far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate);
+                    far_x = _o293.x;
+                    far_y = _o293.y;
+                    far_z = _o293.z;
+                    far_vx = _o293.vx;
+                    far_vy = _o293.vy;
+                    far_vz = _o293.vz;
+                    far_wx = _o293.wx;
+                    far_wy = _o293.wy;
+                    far_wz = _o293.wz;
+                    const kernel_compared_out _o294 = kernel_compared(p_ball_radius, x, y, z, vx, vy, vz, wx, wy, wz, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, stride, missed, neighbour_scale);
+                    dx = _o294.dx;
+                    dy = _o294.dy;
+                    dz = _o294.dz;
+                    dvx = _o294.dvx;
+                    dvy = _o294.dvy;
+                    dvz = _o294.dvz;
+                    dwx = _o294.dwx;
+                    dwy = _o294.dwy;
+                    dwz = _o294.dwz;
                 }
-                const kernel_rolled_on_out _o292 = kernel_rolled_on(which, clock, stride, rests);
-                clock = _o292.clock;
-                rolling = _o292.rolling;
+                const kernel_rolled_on_out _o295 = kernel_rolled_on(which, clock, stride, rests);
+                clock = _o295.clock;
+                rolling = _o295.rolling;
             }
             for (size_t _turn = 0; _turn < 16; _turn++) {
                 if (!circling)
                     break;
                 if (BOUNDS) {
-                    const kernel_error_bounds_out _o293 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                    position_error = _o293.position_error;
-                    velocity_error = _o293.velocity_error;
+                    const kernel_error_bounds_out _o296 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    position_error = _o296.position_error;
+                    velocity_error = _o296.velocity_error;
                 }
-                const kernel_ring_rolling_surface_out _o294 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
-                per_reach = _o294.per_reach;
-                const kernel_ring_round_start_out _o295 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz, wx, wy, wz, per_reach);
-                cosine_0 = _o295.cosine_0;
-                sine_0 = _o295.sine_0;
-                climb_0 = _o295.climb_0;
-                along_0 = _o295.along_0;
-                turn_rate_0 = _o295.turn_rate_0;
-                cos_0 = _o295.cos_0;
-                sin_0 = _o295.sin_0;
-                tilted_0 = _o295.tilted_0;
-                near_0 = _o295.near_0;
-                const kernel_ring_round_0_out _o296 = kernel_ring_round_0(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0);
-                omega_0 = _o296.omega_0;
-                around_0 = _o296.around_0;
-                cosine_1 = _o296.cosine_1;
-                sine_1 = _o296.sine_1;
-                climb_1 = _o296.climb_1;
-                along_1 = _o296.along_1;
-                turn_rate_1 = _o296.turn_rate_1;
-                tilted_1 = _o296.tilted_1;
-                const kernel_ring_round_1_out _o297 = kernel_ring_round_1(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1);
-                omega_1 = _o297.omega_1;
-                around_1 = _o297.around_1;
-                cosine_2 = _o297.cosine_2;
-                sine_2 = _o297.sine_2;
-                climb_2 = _o297.climb_2;
-                along_2 = _o297.along_2;
-                turn_rate_2 = _o297.turn_rate_2;
-                tilted_2 = _o297.tilted_2;
-                const kernel_ring_round_2_out _o298 = kernel_ring_round_2(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2);
-                omega_2 = _o298.omega_2;
-                around_2 = _o298.around_2;
-                cosine_3 = _o298.cosine_3;
-                sine_3 = _o298.sine_3;
-                climb_3 = _o298.climb_3;
-                along_3 = _o298.along_3;
-                turn_rate_3 = _o298.turn_rate_3;
-                tilted_3 = _o298.tilted_3;
-                const kernel_ring_round_3_out _o299 = kernel_ring_round_3(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3);
-                omega_3 = _o299.omega_3;
-                around_3 = _o299.around_3;
-                cosine_4 = _o299.cosine_4;
-                sine_4 = _o299.sine_4;
-                climb_4 = _o299.climb_4;
-                along_4 = _o299.along_4;
-                turn_rate_4 = _o299.turn_rate_4;
-                tilted_4 = _o299.tilted_4;
-                const kernel_ring_round_4_out _o300 = kernel_ring_round_4(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4);
-                omega_4 = _o300.omega_4;
-                around_4 = _o300.around_4;
-                cosine_5 = _o300.cosine_5;
-                sine_5 = _o300.sine_5;
-                climb_5 = _o300.climb_5;
-                along_5 = _o300.along_5;
-                turn_rate_5 = _o300.turn_rate_5;
-                tilted_5 = _o300.tilted_5;
-                const kernel_ring_round_5_out _o301 = kernel_ring_round_5(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5);
-                omega_5 = _o301.omega_5;
-                around_5 = _o301.around_5;
-                cosine_6 = _o301.cosine_6;
-                sine_6 = _o301.sine_6;
-                climb_6 = _o301.climb_6;
-                along_6 = _o301.along_6;
-                turn_rate_6 = _o301.turn_rate_6;
-                tilted_6 = _o301.tilted_6;
-                const kernel_ring_round_6_out _o302 = kernel_ring_round_6(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6);
-                omega_6 = _o302.omega_6;
-                around_6 = _o302.around_6;
-                cosine_7 = _o302.cosine_7;
-                sine_7 = _o302.sine_7;
-                climb_7 = _o302.climb_7;
-                along_7 = _o302.along_7;
-                turn_rate_7 = _o302.turn_rate_7;
-                tilted_7 = _o302.tilted_7;
-                const kernel_ring_round_7_out _o303 = kernel_ring_round_7(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7);
-                omega_7 = _o303.omega_7;
-                around_7 = _o303.around_7;
-                cosine_8 = _o303.cosine_8;
-                sine_8 = _o303.sine_8;
-                climb_8 = _o303.climb_8;
-                along_8 = _o303.along_8;
-                turn_rate_8 = _o303.turn_rate_8;
-                tilted_8 = _o303.tilted_8;
-                const kernel_ring_round_8_out _o304 = kernel_ring_round_8(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8);
-                omega_8 = _o304.omega_8;
-                around_8 = _o304.around_8;
-                cosine_9 = _o304.cosine_9;
-                sine_9 = _o304.sine_9;
-                climb_9 = _o304.climb_9;
-                along_9 = _o304.along_9;
-                turn_rate_9 = _o304.turn_rate_9;
-                tilted_9 = _o304.tilted_9;
-                const kernel_ring_round_9_out _o305 = kernel_ring_round_9(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9);
-                omega_9 = _o305.omega_9;
-                around_9 = _o305.around_9;
-                cosine_10 = _o305.cosine_10;
-                sine_10 = _o305.sine_10;
-                climb_10 = _o305.climb_10;
-                along_10 = _o305.along_10;
-                turn_rate_10 = _o305.turn_rate_10;
-                tilted_10 = _o305.tilted_10;
-                const kernel_ring_round_10_out _o306 = kernel_ring_round_10(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10);
-                omega_10 = _o306.omega_10;
-                around_10 = _o306.around_10;
-                cosine_11 = _o306.cosine_11;
-                sine_11 = _o306.sine_11;
-                climb_11 = _o306.climb_11;
-                along_11 = _o306.along_11;
-                turn_rate_11 = _o306.turn_rate_11;
-                tilted_11 = _o306.tilted_11;
-                const kernel_ring_round_11_out _o307 = kernel_ring_round_11(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11);
-                omega_11 = _o307.omega_11;
-                cosine_12 = _o307.cosine_12;
-                sine_12 = _o307.sine_12;
-                climb_12 = _o307.climb_12;
-                along_12 = _o307.along_12;
-                turn_rate_12 = _o307.turn_rate_12;
-                const kernel_ring_round_step_out _o308 = kernel_ring_round_step(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
-                stride = _o308.stride;
-                strongest = _o308.strongest;
-                fastest = _o308.fastest;
-                section_acceleration = _o308.section_acceleration;
-                force = _o308.force;
-                force_rate = _o308.force_rate;
-                force_bend = _o308.force_bend;
-                friction_force_rate = _o308.friction_force_rate;
-                vx_1 = _o308.vx_1;
-                vy_1 = _o308.vy_1;
-                vz_1 = _o308.vz_1;
+                const kernel_ring_rolling_surface_out _o297 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
+                per_reach = _o297.per_reach;
+                const kernel_ring_round_start_out _o298 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz, wx, wy, wz, per_reach);
+                cosine_0 = _o298.cosine_0;
+                sine_0 = _o298.sine_0;
+                climb_0 = _o298.climb_0;
+                along_0 = _o298.along_0;
+                turn_rate_0 = _o298.turn_rate_0;
+                cos_0 = _o298.cos_0;
+                sin_0 = _o298.sin_0;
+                tilted_0 = _o298.tilted_0;
+                near_0 = _o298.near_0;
+                const kernel_ring_round_0_out _o299 = kernel_ring_round_0(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0);
+                omega_0 = _o299.omega_0;
+                around_0 = _o299.around_0;
+                cosine_1 = _o299.cosine_1;
+                sine_1 = _o299.sine_1;
+                climb_1 = _o299.climb_1;
+                along_1 = _o299.along_1;
+                turn_rate_1 = _o299.turn_rate_1;
+                tilted_1 = _o299.tilted_1;
+                const kernel_ring_round_1_out _o300 = kernel_ring_round_1(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1);
+                omega_1 = _o300.omega_1;
+                around_1 = _o300.around_1;
+                cosine_2 = _o300.cosine_2;
+                sine_2 = _o300.sine_2;
+                climb_2 = _o300.climb_2;
+                along_2 = _o300.along_2;
+                turn_rate_2 = _o300.turn_rate_2;
+                tilted_2 = _o300.tilted_2;
+                const kernel_ring_round_2_out _o301 = kernel_ring_round_2(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2);
+                omega_2 = _o301.omega_2;
+                around_2 = _o301.around_2;
+                cosine_3 = _o301.cosine_3;
+                sine_3 = _o301.sine_3;
+                climb_3 = _o301.climb_3;
+                along_3 = _o301.along_3;
+                turn_rate_3 = _o301.turn_rate_3;
+                tilted_3 = _o301.tilted_3;
+                const kernel_ring_round_3_out _o302 = kernel_ring_round_3(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3);
+                omega_3 = _o302.omega_3;
+                around_3 = _o302.around_3;
+                cosine_4 = _o302.cosine_4;
+                sine_4 = _o302.sine_4;
+                climb_4 = _o302.climb_4;
+                along_4 = _o302.along_4;
+                turn_rate_4 = _o302.turn_rate_4;
+                tilted_4 = _o302.tilted_4;
+                const kernel_ring_round_4_out _o303 = kernel_ring_round_4(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4);
+                omega_4 = _o303.omega_4;
+                around_4 = _o303.around_4;
+                cosine_5 = _o303.cosine_5;
+                sine_5 = _o303.sine_5;
+                climb_5 = _o303.climb_5;
+                along_5 = _o303.along_5;
+                turn_rate_5 = _o303.turn_rate_5;
+                tilted_5 = _o303.tilted_5;
+                const kernel_ring_round_5_out _o304 = kernel_ring_round_5(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5);
+                omega_5 = _o304.omega_5;
+                around_5 = _o304.around_5;
+                cosine_6 = _o304.cosine_6;
+                sine_6 = _o304.sine_6;
+                climb_6 = _o304.climb_6;
+                along_6 = _o304.along_6;
+                turn_rate_6 = _o304.turn_rate_6;
+                tilted_6 = _o304.tilted_6;
+                const kernel_ring_round_6_out _o305 = kernel_ring_round_6(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6);
+                omega_6 = _o305.omega_6;
+                around_6 = _o305.around_6;
+                cosine_7 = _o305.cosine_7;
+                sine_7 = _o305.sine_7;
+                climb_7 = _o305.climb_7;
+                along_7 = _o305.along_7;
+                turn_rate_7 = _o305.turn_rate_7;
+                tilted_7 = _o305.tilted_7;
+                const kernel_ring_round_7_out _o306 = kernel_ring_round_7(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7);
+                omega_7 = _o306.omega_7;
+                around_7 = _o306.around_7;
+                cosine_8 = _o306.cosine_8;
+                sine_8 = _o306.sine_8;
+                climb_8 = _o306.climb_8;
+                along_8 = _o306.along_8;
+                turn_rate_8 = _o306.turn_rate_8;
+                tilted_8 = _o306.tilted_8;
+                const kernel_ring_round_8_out _o307 = kernel_ring_round_8(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8);
+                omega_8 = _o307.omega_8;
+                around_8 = _o307.around_8;
+                cosine_9 = _o307.cosine_9;
+                sine_9 = _o307.sine_9;
+                climb_9 = _o307.climb_9;
+                along_9 = _o307.along_9;
+                turn_rate_9 = _o307.turn_rate_9;
+                tilted_9 = _o307.tilted_9;
+                const kernel_ring_round_9_out _o308 = kernel_ring_round_9(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9);
+                omega_9 = _o308.omega_9;
+                around_9 = _o308.around_9;
+                cosine_10 = _o308.cosine_10;
+                sine_10 = _o308.sine_10;
+                climb_10 = _o308.climb_10;
+                along_10 = _o308.along_10;
+                turn_rate_10 = _o308.turn_rate_10;
+                tilted_10 = _o308.tilted_10;
+                const kernel_ring_round_10_out _o309 = kernel_ring_round_10(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10);
+                omega_10 = _o309.omega_10;
+                around_10 = _o309.around_10;
+                cosine_11 = _o309.cosine_11;
+                sine_11 = _o309.sine_11;
+                climb_11 = _o309.climb_11;
+                along_11 = _o309.along_11;
+                turn_rate_11 = _o309.turn_rate_11;
+                tilted_11 = _o309.tilted_11;
+                const kernel_ring_round_11_out _o310 = kernel_ring_round_11(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11);
+                omega_11 = _o310.omega_11;
+                cosine_12 = _o310.cosine_12;
+                sine_12 = _o310.sine_12;
+                climb_12 = _o310.climb_12;
+                along_12 = _o310.along_12;
+                turn_rate_12 = _o310.turn_rate_12;
+                const kernel_ring_round_step_out _o311 = kernel_ring_round_step(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
+                stride = _o311.stride;
+                strongest = _o311.strongest;
+                fastest = _o311.fastest;
+                section_acceleration = _o311.section_acceleration;
+                force = _o311.force;
+                force_rate = _o311.force_rate;
+                force_bend = _o311.force_bend;
+                friction_force_rate = _o311.friction_force_rate;
+                vx_1 = _o311.vx_1;
+                vy_1 = _o311.vy_1;
+                vz_1 = _o311.vz_1;
                 if (BOUNDS)
-                    missed = _o308.missed;
+                    missed = _o311.missed;
                 if (BOUNDS) {
-                    const kernel_ring_round_pulled_out _o309 = kernel_ring_round_pulled(p_gravity, p_inertia, turn_rate_0, turn_rate_1, climb_0, climb_1, cosine_0, cosine_1, omega_0, omega_1);
-                    rolling_friction = _o309.rolling_friction;
-                    rolling_friction_rate = _o309.rolling_friction_rate;
-                    const kernel_ring_impact_grip_deficit_out _o310 = kernel_ring_impact_grip_deficit(p_ring_friction, rolling_friction, rolling_friction_rate, force, force_rate);
-                    grip_deficit = _o310.grip_deficit;
-                    grip_deficit_rate = _o310.grip_deficit_rate;
-                    const kernel_exceeds_grip_out _o311 = kernel_exceeds_grip(grip_deficit, grip_lost);
-                    loses = _o311.loses;
+                    const kernel_ring_round_pulled_out _o312 = kernel_ring_round_pulled(p_gravity, p_inertia, turn_rate_0, turn_rate_1, climb_0, climb_1, cosine_0, cosine_1, omega_0, omega_1);
+                    rolling_friction = _o312.rolling_friction;
+                    rolling_friction_rate = _o312.rolling_friction_rate;
+                    const kernel_ring_impact_grip_deficit_out _o313 = kernel_ring_impact_grip_deficit(p_ring_friction, rolling_friction, rolling_friction_rate, force, force_rate);
+                    grip_deficit = _o313.grip_deficit;
+                    grip_deficit_rate = _o313.grip_deficit_rate;
+                    const kernel_exceeds_grip_out _o314 = kernel_exceeds_grip(grip_deficit, grip_lost);
+                    loses = _o314.loses;
                     if (loses) {
-                        const kernel_grip_lost_time_out _o312 = kernel_grip_lost_time(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
-                        grip_lost = _o312.grip_lost;
+                        const kernel_grip_lost_time_out _o315 = kernel_grip_lost_time(clock, grip_deficit, grip_deficit_rate, last_grip_deficit, last_grip_deficit_rate, last_grip_clock);
+                        grip_lost = _o315.grip_lost;
                     }
-                    const kernel_remember_grip_deficit_out _o313 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
-                    last_grip_deficit = _o313.last_grip_deficit;
-                    last_grip_deficit_rate = _o313.last_grip_deficit_rate;
-                    last_grip_clock = _o313.last_grip_clock;
+                    const kernel_remember_grip_deficit_out _o316 = kernel_remember_grip_deficit(clock, grip_deficit, grip_deficit_rate);
+                    last_grip_deficit = _o316.last_grip_deficit;
+                    last_grip_deficit_rate = _o316.last_grip_deficit_rate;
+                    last_grip_clock = _o316.last_grip_clock;
                 }
-                const kernel_leaving_force_out _o314 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, undecided_time, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
-                stride = _o314.stride;
-                which = _o314.which;
-                rests = _o314.rests;
+                const kernel_leaving_force_out _o317 = kernel_leaving_force(p_ball_radius, p_gravity, vx, vx_1, vy, vy_1, vz, vz_1, which, undecided_time, position_error, velocity_error, per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest);
+                stride = _o317.stride;
+                which = _o317.which;
+                rests = _o317.rests;
                 if (BOUNDS)
-                    undecided_time = _o314.undecided_time;
-                const kernel_backboard_beside_out _o315 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                gap = _o315.gap;
-                nearing = _o315.nearing;
-                gap_curvature = _o315.gap_curvature;
-                const kernel_beside_body_out _o316 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                stride = _o316.stride;
-                which = _o316.which;
+                    undecided_time = _o317.undecided_time;
+                const kernel_backboard_beside_out _o318 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                gap = _o318.gap;
+                nearing = _o318.nearing;
+                gap_curvature = _o318.gap_curvature;
+                const kernel_beside_body_out _o319 = kernel_beside_body(p_ball_radius, x, y, z, gap, 1.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o319.stride;
+                which = _o319.which;
                 if (BOUNDS) {
-                    undecided_time = _o316.undecided_time;
-                    earliest_delay = _o316.earliest_delay;
+                    undecided_time = _o319.undecided_time;
+                    earliest_delay = _o319.earliest_delay;
                 }
-                const kernel_bridge_beside_out _o317 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                gap = _o317.gap;
-                nearing = _o317.nearing;
-                gap_curvature = _o317.gap_curvature;
-                const kernel_beside_body_out _o318 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                stride = _o318.stride;
-                which = _o318.which;
-                if (BOUNDS) {
-                    undecided_time = _o318.undecided_time;
-                    earliest_delay = _o318.earliest_delay;
-                }
-                const kernel_end_beside_out _o319 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o319.gap;
-                nearing = _o319.nearing;
-                gap_curvature = _o319.gap_curvature;
-                const kernel_beside_end_plane_out _o320 = kernel_beside_end_plane(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
-                stride = _o320.stride;
-                which = _o320.which;
-                if (BOUNDS) {
-                    undecided_time = _o320.undecided_time;
-                    earliest_delay = _o320.earliest_delay;
-                }
-                const kernel_beside_time_out _o321 = kernel_beside_time(which, clock, time_limit, stride);
+                const kernel_bridge_beside_out _o320 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                gap = _o320.gap;
+                nearing = _o320.nearing;
+                gap_curvature = _o320.gap_curvature;
+                const kernel_beside_body_out _o321 = kernel_beside_body(p_ball_radius, x, y, z, gap, 2.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
                 stride = _o321.stride;
                 which = _o321.which;
                 if (BOUNDS) {
-                    const kernel_neighbour_scale_out _o322 = kernel_neighbour_scale(p_ball_radius, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                    neighbour_scale = _o322.neighbour_scale;
-                    const kernel_neighbour_out _o323 = kernel_neighbour(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
-                    far_x = _o323.far_x;
-                    far_y = _o323.far_y;
-                    far_z = _o323.far_z;
-                    far_vx = _o323.far_vx;
-                    far_vy = _o323.far_vy;
-                    far_vz = _o323.far_vz;
-                    far_wx = _o323.far_wx;
-                    far_wy = _o323.far_wy;
-                    far_wz = _o323.far_wz;
+                    undecided_time = _o321.undecided_time;
+                    earliest_delay = _o321.earliest_delay;
                 }
-                const kernel_passing_from_out _o324 = kernel_passing_from(z);
-                over = _o324.over;
-                const kernel_isolated_out _o325 = kernel_isolated();
-                azimuth_clearance = _o325.nearest;
-                const kernel_half_steps_out _o326 = kernel_half_steps(stride);
-                forth = _o326.forth;
-                back = _o326.back;
-                const kernel_backboard_around_out _o327 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                gap = _o327.gap;
-                nearing = _o327.nearing;
-                const kernel_clearance_at_any_azimuth_out _o328 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
-                azimuth_clearance = _o328.azimuth_clearance;
-                const kernel_bridge_around_out _o329 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                gap = _o329.gap;
-                nearing = _o329.nearing;
-                const kernel_clearance_at_any_azimuth_out _o330 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
-                azimuth_clearance = _o330.azimuth_clearance;
-                const kernel_end_around_out _o331 = kernel_end_around(p_end_depth, z, vz);
-                gap = _o331.gap;
-                nearing = _o331.nearing;
-                const kernel_clearance_at_any_azimuth_out _o332 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
-                azimuth_clearance = _o332.azimuth_clearance;
-                const kernel_ring_round_moved_out _o333 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
-                x = _o333.x;
-                y = _o333.y;
-                z = _o333.z;
-                vx = _o333.vx;
-                vy = _o333.vy;
-                vz = _o333.vz;
-                wx = _o333.wx;
-                wy = _o333.wy;
-                wz = _o333.wz;
-                climb = _o333.climb;
-                const kernel_passing_in_contact_out _o334 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
-                through = _o334.through;
-                const kernel_backboard_around_out _o335 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
-                gap = _o335.gap;
-                nearing = _o335.nearing;
-                const kernel_clearance_at_any_azimuth_out _o336 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
-                azimuth_clearance = _o336.azimuth_clearance;
-                const kernel_bridge_around_out _o337 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                gap = _o337.gap;
-                nearing = _o337.nearing;
-                const kernel_clearance_at_any_azimuth_out _o338 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
-                azimuth_clearance = _o338.azimuth_clearance;
-                const kernel_end_around_out _o339 = kernel_end_around(p_end_depth, z, vz);
-                gap = _o339.gap;
-                nearing = _o339.nearing;
-                const kernel_clearance_at_any_azimuth_out _o340 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
-                azimuth_clearance = _o340.azimuth_clearance;
-                const kernel_ring_swung_out _o341 = kernel_ring_swung(p_ball_radius, p_gravity, p_wire_radius, which, undecided_time, position_error, velocity_error, force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance);
-                circled = _o341.circled;
-                endless = _o341.endless;
-                if (BOUNDS)
-                    undecided_time = _o341.undecided_time;
-                const kernel_rolls_for_ever_out _o342 = kernel_rolls_for_ever(which, endless);
-                which = _o342.which;
+                const kernel_end_beside_out _o322 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o322.gap;
+                nearing = _o322.nearing;
+                gap_curvature = _o322.gap_curvature;
+                const kernel_beside_end_plane_out _o323 = kernel_beside_end_plane(p_ball_radius, x, y, z, gap, 3.0, which, earliest_delay, undecided_time, position_error, nearing, gap_curvature, stride, strongest, fastest);
+                stride = _o323.stride;
+                which = _o323.which;
                 if (BOUNDS) {
-                    const kernel_ring_round_start_out _o343 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, per_reach);
-                    cosine_0 = _o343.cosine_0;
-                    sine_0 = _o343.sine_0;
-                    climb_0 = _o343.climb_0;
-                    along_0 = _o343.along_0;
-                    turn_rate_0 = _o343.turn_rate_0;
-                    cos_0 = _o343.cos_0;
-                    sin_0 = _o343.sin_0;
-                    tilted_0 = _o343.tilted_0;
-                    near_0 = _o343.near_0;
-                    const kernel_ring_round_0_out _o344 = kernel_ring_round_0(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0);
-                    omega_0 = _o344.omega_0;
-                    around_0 = _o344.around_0;
-                    cosine_1 = _o344.cosine_1;
-                    sine_1 = _o344.sine_1;
-                    climb_1 = _o344.climb_1;
-                    along_1 = _o344.along_1;
-                    turn_rate_1 = _o344.turn_rate_1;
-                    tilted_1 = _o344.tilted_1;
-                    const kernel_ring_round_1_out _o345 = kernel_ring_round_1(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1);
-                    omega_1 = _o345.omega_1;
-                    around_1 = _o345.around_1;
-                    cosine_2 = _o345.cosine_2;
-                    sine_2 = _o345.sine_2;
-                    climb_2 = _o345.climb_2;
-                    along_2 = _o345.along_2;
-                    turn_rate_2 = _o345.turn_rate_2;
-                    tilted_2 = _o345.tilted_2;
-                    const kernel_ring_round_2_out _o346 = kernel_ring_round_2(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2);
-                    omega_2 = _o346.omega_2;
-                    around_2 = _o346.around_2;
-                    cosine_3 = _o346.cosine_3;
-                    sine_3 = _o346.sine_3;
-                    climb_3 = _o346.climb_3;
-                    along_3 = _o346.along_3;
-                    turn_rate_3 = _o346.turn_rate_3;
-                    tilted_3 = _o346.tilted_3;
-                    const kernel_ring_round_3_out _o347 = kernel_ring_round_3(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3);
-                    omega_3 = _o347.omega_3;
-                    around_3 = _o347.around_3;
-                    cosine_4 = _o347.cosine_4;
-                    sine_4 = _o347.sine_4;
-                    climb_4 = _o347.climb_4;
-                    along_4 = _o347.along_4;
-                    turn_rate_4 = _o347.turn_rate_4;
-                    tilted_4 = _o347.tilted_4;
-                    const kernel_ring_round_4_out _o348 = kernel_ring_round_4(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4);
-                    omega_4 = _o348.omega_4;
-                    around_4 = _o348.around_4;
-                    cosine_5 = _o348.cosine_5;
-                    sine_5 = _o348.sine_5;
-                    climb_5 = _o348.climb_5;
-                    along_5 = _o348.along_5;
-                    turn_rate_5 = _o348.turn_rate_5;
-                    tilted_5 = _o348.tilted_5;
-                    const kernel_ring_round_5_out _o349 = kernel_ring_round_5(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5);
-                    omega_5 = _o349.omega_5;
-                    around_5 = _o349.around_5;
-                    cosine_6 = _o349.cosine_6;
-                    sine_6 = _o349.sine_6;
-                    climb_6 = _o349.climb_6;
-                    along_6 = _o349.along_6;
-                    turn_rate_6 = _o349.turn_rate_6;
-                    tilted_6 = _o349.tilted_6;
-                    const kernel_ring_round_6_out _o350 = kernel_ring_round_6(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6);
-                    omega_6 = _o350.omega_6;
-                    around_6 = _o350.around_6;
-                    cosine_7 = _o350.cosine_7;
-                    sine_7 = _o350.sine_7;
-                    climb_7 = _o350.climb_7;
-                    along_7 = _o350.along_7;
-                    turn_rate_7 = _o350.turn_rate_7;
-                    tilted_7 = _o350.tilted_7;
-                    const kernel_ring_round_7_out _o351 = kernel_ring_round_7(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7);
-                    omega_7 = _o351.omega_7;
-                    around_7 = _o351.around_7;
-                    cosine_8 = _o351.cosine_8;
-                    sine_8 = _o351.sine_8;
-                    climb_8 = _o351.climb_8;
-                    along_8 = _o351.along_8;
-                    turn_rate_8 = _o351.turn_rate_8;
-                    tilted_8 = _o351.tilted_8;
-                    const kernel_ring_round_8_out _o352 = kernel_ring_round_8(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8);
-                    omega_8 = _o352.omega_8;
-                    around_8 = _o352.around_8;
-                    cosine_9 = _o352.cosine_9;
-                    sine_9 = _o352.sine_9;
-                    climb_9 = _o352.climb_9;
-                    along_9 = _o352.along_9;
-                    turn_rate_9 = _o352.turn_rate_9;
-                    tilted_9 = _o352.tilted_9;
-                    const kernel_ring_round_9_out _o353 = kernel_ring_round_9(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9);
-                    omega_9 = _o353.omega_9;
-                    around_9 = _o353.around_9;
-                    cosine_10 = _o353.cosine_10;
-                    sine_10 = _o353.sine_10;
-                    climb_10 = _o353.climb_10;
-                    along_10 = _o353.along_10;
-                    turn_rate_10 = _o353.turn_rate_10;
-                    tilted_10 = _o353.tilted_10;
-                    const kernel_ring_round_10_out _o354 = kernel_ring_round_10(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10);
-                    omega_10 = _o354.omega_10;
-                    around_10 = _o354.around_10;
-                    cosine_11 = _o354.cosine_11;
-                    sine_11 = _o354.sine_11;
-                    climb_11 = _o354.climb_11;
-                    along_11 = _o354.along_11;
-                    turn_rate_11 = _o354.turn_rate_11;
-                    tilted_11 = _o354.tilted_11;
-                    const kernel_ring_round_11_out _o355 = kernel_ring_round_11(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11);
-                    omega_11 = _o355.omega_11;
-                    cosine_12 = _o355.cosine_12;
-                    sine_12 = _o355.sine_12;
-                    climb_12 = _o355.climb_12;
-                    along_12 = _o355.along_12;
-                    turn_rate_12 = _o355.turn_rate_12;
-                    const kernel_ring_round_moved_out _o356 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
-                    far_x = _o356.x;
-                    far_y = _o356.y;
-                    far_z = _o356.z;
-                    far_vx = _o356.vx;
-                    far_vy = _o356.vy;
-                    far_vz = _o356.vz;
-                    far_wx = _o356.wx;
-                    far_wy = _o356.wy;
-                    far_wz = _o356.wz;
-                    const kernel_compared_out _o357 = kernel_compared(p_ball_radius, x, y, z, vx, vy, vz, wx, wy, wz, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, stride, missed, neighbour_scale);
-                    dx = _o357.dx;
-                    dy = _o357.dy;
-                    dz = _o357.dz;
-                    dvx = _o357.dvx;
-                    dvy = _o357.dvy;
-                    dvz = _o357.dvz;
-                    dwx = _o357.dwx;
-                    dwy = _o357.dwy;
-                    dwz = _o357.dwz;
+                    undecided_time = _o323.undecided_time;
+                    earliest_delay = _o323.earliest_delay;
                 }
-                const kernel_rolled_on_out _o358 = kernel_rolled_on(which, clock, stride, rests);
-                clock = _o358.clock;
-                circling = _o358.rolling;
+                const kernel_beside_time_out _o324 = kernel_beside_time(which, clock, time_limit, stride);
+                stride = _o324.stride;
+                which = _o324.which;
+                if (BOUNDS) {
+                    const kernel_neighbour_scale_out _o325 = kernel_neighbour_scale(p_ball_radius, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    neighbour_scale = _o325.neighbour_scale;
+                    const kernel_neighbour_out _o326 = kernel_neighbour(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
+                    far_x = _o326.far_x;
+                    far_y = _o326.far_y;
+                    far_z = _o326.far_z;
+                    far_vx = _o326.far_vx;
+                    far_vy = _o326.far_vy;
+                    far_vz = _o326.far_vz;
+                    far_wx = _o326.far_wx;
+                    far_wy = _o326.far_wy;
+                    far_wz = _o326.far_wz;
+                }
+                const kernel_passing_from_out _o327 = kernel_passing_from(z);
+                over = _o327.over;
+                const kernel_isolated_out _o328 = kernel_isolated();
+                azimuth_clearance = _o328.nearest;
+                const kernel_half_steps_out _o329 = kernel_half_steps(stride);
+                forth = _o329.forth;
+                back = _o329.back;
+                const kernel_backboard_around_out _o330 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                gap = _o330.gap;
+                nearing = _o330.nearing;
+                const kernel_clearance_at_any_azimuth_out _o331 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
+                azimuth_clearance = _o331.azimuth_clearance;
+                const kernel_bridge_around_out _o332 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                gap = _o332.gap;
+                nearing = _o332.nearing;
+                const kernel_clearance_at_any_azimuth_out _o333 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
+                azimuth_clearance = _o333.azimuth_clearance;
+                const kernel_end_around_out _o334 = kernel_end_around(p_end_depth, z, vz);
+                gap = _o334.gap;
+                nearing = _o334.nearing;
+                const kernel_clearance_at_any_azimuth_out _o335 = kernel_clearance_at_any_azimuth(gap, nearing, forth, azimuth_clearance);
+                azimuth_clearance = _o335.azimuth_clearance;
+                const kernel_ring_round_moved_out _o336 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
+                x = _o336.x;
+                y = _o336.y;
+                z = _o336.z;
+                vx = _o336.vx;
+                vy = _o336.vy;
+                vz = _o336.vz;
+                wx = _o336.wx;
+                wy = _o336.wy;
+                wz = _o336.wz;
+                climb = _o336.climb;
+                const kernel_passing_in_contact_out _o337 = kernel_passing_in_contact(p_ring_radius, x, y, z, through, over);
+                through = _o337.through;
+                const kernel_backboard_around_out _o338 = kernel_backboard_around(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                gap = _o338.gap;
+                nearing = _o338.nearing;
+                const kernel_clearance_at_any_azimuth_out _o339 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
+                azimuth_clearance = _o339.azimuth_clearance;
+                const kernel_bridge_around_out _o340 = kernel_bridge_around(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                gap = _o340.gap;
+                nearing = _o340.nearing;
+                const kernel_clearance_at_any_azimuth_out _o341 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
+                azimuth_clearance = _o341.azimuth_clearance;
+                const kernel_end_around_out _o342 = kernel_end_around(p_end_depth, z, vz);
+                gap = _o342.gap;
+                nearing = _o342.nearing;
+                const kernel_clearance_at_any_azimuth_out _o343 = kernel_clearance_at_any_azimuth(gap, nearing, back, azimuth_clearance);
+                azimuth_clearance = _o343.azimuth_clearance;
+                const kernel_ring_swung_out _o344 = kernel_ring_swung(p_ball_radius, p_gravity, p_wire_radius, which, undecided_time, position_error, velocity_error, force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance);
+                circled = _o344.circled;
+                endless = _o344.endless;
+                if (BOUNDS)
+                    undecided_time = _o344.undecided_time;
+                const kernel_rolls_for_ever_out _o345 = kernel_rolls_for_ever(which, endless);
+                which = _o345.which;
+                if (BOUNDS) {
+                    const kernel_ring_round_start_out _o346 = kernel_ring_round_start(p_ball_radius, p_inertia, p_ring_radius, p_wire_radius, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, per_reach);
+                    cosine_0 = _o346.cosine_0;
+                    sine_0 = _o346.sine_0;
+                    climb_0 = _o346.climb_0;
+                    along_0 = _o346.along_0;
+                    turn_rate_0 = _o346.turn_rate_0;
+                    cos_0 = _o346.cos_0;
+                    sin_0 = _o346.sin_0;
+                    tilted_0 = _o346.tilted_0;
+                    near_0 = _o346.near_0;
+                    const kernel_ring_round_0_out _o347 = kernel_ring_round_0(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0);
+                    omega_0 = _o347.omega_0;
+                    around_0 = _o347.around_0;
+                    cosine_1 = _o347.cosine_1;
+                    sine_1 = _o347.sine_1;
+                    climb_1 = _o347.climb_1;
+                    along_1 = _o347.along_1;
+                    turn_rate_1 = _o347.turn_rate_1;
+                    tilted_1 = _o347.tilted_1;
+                    const kernel_ring_round_1_out _o348 = kernel_ring_round_1(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1);
+                    omega_1 = _o348.omega_1;
+                    around_1 = _o348.around_1;
+                    cosine_2 = _o348.cosine_2;
+                    sine_2 = _o348.sine_2;
+                    climb_2 = _o348.climb_2;
+                    along_2 = _o348.along_2;
+                    turn_rate_2 = _o348.turn_rate_2;
+                    tilted_2 = _o348.tilted_2;
+                    const kernel_ring_round_2_out _o349 = kernel_ring_round_2(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2);
+                    omega_2 = _o349.omega_2;
+                    around_2 = _o349.around_2;
+                    cosine_3 = _o349.cosine_3;
+                    sine_3 = _o349.sine_3;
+                    climb_3 = _o349.climb_3;
+                    along_3 = _o349.along_3;
+                    turn_rate_3 = _o349.turn_rate_3;
+                    tilted_3 = _o349.tilted_3;
+                    const kernel_ring_round_3_out _o350 = kernel_ring_round_3(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3);
+                    omega_3 = _o350.omega_3;
+                    around_3 = _o350.around_3;
+                    cosine_4 = _o350.cosine_4;
+                    sine_4 = _o350.sine_4;
+                    climb_4 = _o350.climb_4;
+                    along_4 = _o350.along_4;
+                    turn_rate_4 = _o350.turn_rate_4;
+                    tilted_4 = _o350.tilted_4;
+                    const kernel_ring_round_4_out _o351 = kernel_ring_round_4(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4);
+                    omega_4 = _o351.omega_4;
+                    around_4 = _o351.around_4;
+                    cosine_5 = _o351.cosine_5;
+                    sine_5 = _o351.sine_5;
+                    climb_5 = _o351.climb_5;
+                    along_5 = _o351.along_5;
+                    turn_rate_5 = _o351.turn_rate_5;
+                    tilted_5 = _o351.tilted_5;
+                    const kernel_ring_round_5_out _o352 = kernel_ring_round_5(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5);
+                    omega_5 = _o352.omega_5;
+                    around_5 = _o352.around_5;
+                    cosine_6 = _o352.cosine_6;
+                    sine_6 = _o352.sine_6;
+                    climb_6 = _o352.climb_6;
+                    along_6 = _o352.along_6;
+                    turn_rate_6 = _o352.turn_rate_6;
+                    tilted_6 = _o352.tilted_6;
+                    const kernel_ring_round_6_out _o353 = kernel_ring_round_6(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6);
+                    omega_6 = _o353.omega_6;
+                    around_6 = _o353.around_6;
+                    cosine_7 = _o353.cosine_7;
+                    sine_7 = _o353.sine_7;
+                    climb_7 = _o353.climb_7;
+                    along_7 = _o353.along_7;
+                    turn_rate_7 = _o353.turn_rate_7;
+                    tilted_7 = _o353.tilted_7;
+                    const kernel_ring_round_7_out _o354 = kernel_ring_round_7(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7);
+                    omega_7 = _o354.omega_7;
+                    around_7 = _o354.around_7;
+                    cosine_8 = _o354.cosine_8;
+                    sine_8 = _o354.sine_8;
+                    climb_8 = _o354.climb_8;
+                    along_8 = _o354.along_8;
+                    turn_rate_8 = _o354.turn_rate_8;
+                    tilted_8 = _o354.tilted_8;
+                    const kernel_ring_round_8_out _o355 = kernel_ring_round_8(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8);
+                    omega_8 = _o355.omega_8;
+                    around_8 = _o355.around_8;
+                    cosine_9 = _o355.cosine_9;
+                    sine_9 = _o355.sine_9;
+                    climb_9 = _o355.climb_9;
+                    along_9 = _o355.along_9;
+                    turn_rate_9 = _o355.turn_rate_9;
+                    tilted_9 = _o355.tilted_9;
+                    const kernel_ring_round_9_out _o356 = kernel_ring_round_9(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9);
+                    omega_9 = _o356.omega_9;
+                    around_9 = _o356.around_9;
+                    cosine_10 = _o356.cosine_10;
+                    sine_10 = _o356.sine_10;
+                    climb_10 = _o356.climb_10;
+                    along_10 = _o356.along_10;
+                    turn_rate_10 = _o356.turn_rate_10;
+                    tilted_10 = _o356.tilted_10;
+                    const kernel_ring_round_10_out _o357 = kernel_ring_round_10(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10);
+                    omega_10 = _o357.omega_10;
+                    around_10 = _o357.around_10;
+                    cosine_11 = _o357.cosine_11;
+                    sine_11 = _o357.sine_11;
+                    climb_11 = _o357.climb_11;
+                    along_11 = _o357.along_11;
+                    turn_rate_11 = _o357.turn_rate_11;
+                    tilted_11 = _o357.tilted_11;
+                    const kernel_ring_round_11_out _o358 = kernel_ring_round_11(p_ball_radius, p_gravity, p_inertia, p_ring_radius, p_wire_radius, per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11);
+                    omega_11 = _o358.omega_11;
+                    cosine_12 = _o358.cosine_12;
+                    sine_12 = _o358.sine_12;
+                    climb_12 = _o358.climb_12;
+                    along_12 = _o358.along_12;
+                    turn_rate_12 = _o358.turn_rate_12;
+                    const kernel_ring_round_moved_out _o359 = kernel_ring_round_moved(p_ball_radius, p_ring_radius, p_wire_radius, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11);
+                    far_x = _o359.x;
+                    far_y = _o359.y;
+                    far_z = _o359.z;
+                    far_vx = _o359.vx;
+                    far_vy = _o359.vy;
+                    far_vz = _o359.vz;
+                    far_wx = _o359.wx;
+                    far_wy = _o359.wy;
+                    far_wz = _o359.wz;
+                    const kernel_compared_out _o360 = kernel_compared(p_ball_radius, x, y, z, vx, vy, vz, wx, wy, wz, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, stride, missed, neighbour_scale);
+                    dx = _o360.dx;
+                    dy = _o360.dy;
+                    dz = _o360.dz;
+                    dvx = _o360.dvx;
+                    dvy = _o360.dvy;
+                    dvz = _o360.dvz;
+                    dwx = _o360.dwx;
+                    dwy = _o360.dwy;
+                    dwz = _o360.dwz;
+                }
+                const kernel_rolled_on_out _o361 = kernel_rolled_on(which, clock, stride, rests);
+                clock = _o361.clock;
+                circling = _o361.rolling;
             }
-            const kernel_still_in_contact_out _o359 = kernel_still_in_contact(rolling, circling);
-            rolling = _o359.rolling;
+            const kernel_still_in_contact_out _o362 = kernel_still_in_contact(rolling, circling);
+            rolling = _o362.rolling;
             if (leaves) {
                 if (BOUNDS) {
-                    const kernel_error_bounds_out _o360 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                    position_error = _o360.position_error;
-                    velocity_error = _o360.velocity_error;
+                    const kernel_error_bounds_out _o363 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    position_error = _o363.position_error;
+                    velocity_error = _o363.velocity_error;
                 }
-                const kernel_holding_out _o361 = kernel_holding(0.0, held);
-                here = _o361.here;
-                if (here) {
-                    const kernel_ring_rolling_surface_out _o362 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
-                    per_reach = _o362.per_reach;
-                    const kernel_ring_separation_out _o363 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
-                    lift = _o363.lift;
-                    gap_jerk = _o363.gap_jerk;
-                    gap_snap = _o363.gap_snap;
-                }
-                const kernel_holding_out _o364 = kernel_holding(1.0, held);
+                const kernel_holding_out _o364 = kernel_holding(0.0, held);
                 here = _o364.here;
                 if (here) {
-                    const kernel_backboard_rolling_surface_out _o365 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    const kernel_ring_rolling_surface_out _o365 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
                     per_reach = _o365.per_reach;
-                    const kernel_backboard_separation_out _o366 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
+                    const kernel_ring_separation_out _o366 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
                     lift = _o366.lift;
                     gap_jerk = _o366.gap_jerk;
                     gap_snap = _o366.gap_snap;
                 }
-                const kernel_holding_out _o367 = kernel_holding(2.0, held);
+                const kernel_holding_out _o367 = kernel_holding(1.0, held);
                 here = _o367.here;
                 if (here) {
-                    const kernel_bridge_rolling_surface_out _o368 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    const kernel_backboard_rolling_surface_out _o368 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
                     per_reach = _o368.per_reach;
-                    const kernel_bridge_separation_out _o369 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    const kernel_backboard_separation_out _o369 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
                     lift = _o369.lift;
                     gap_jerk = _o369.gap_jerk;
                     gap_snap = _o369.gap_snap;
                 }
-                const kernel_no_contact_out _o370 = kernel_no_contact();
-                free_time = _o370.free_time;
-                const kernel_beside_out _o371 = kernel_beside(0.0, held);
-                beside = _o371.beside;
-                if (beside) {
-                    const kernel_ring_beside_out _o372 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                    gap = _o372.gap;
-                    nearing = _o372.nearing;
-                    gap_curvature = _o372.gap_curvature;
-                    const kernel_neighbour_free_time_out _o373 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
-                    free_time = _o373.free_time;
+                const kernel_holding_out _o370 = kernel_holding(2.0, held);
+                here = _o370.here;
+                if (here) {
+                    const kernel_bridge_rolling_surface_out _o371 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    per_reach = _o371.per_reach;
+                    const kernel_bridge_separation_out _o372 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    lift = _o372.lift;
+                    gap_jerk = _o372.gap_jerk;
+                    gap_snap = _o372.gap_snap;
                 }
-                const kernel_beside_out _o374 = kernel_beside(1.0, held);
+                const kernel_no_contact_out _o373 = kernel_no_contact();
+                free_time = _o373.free_time;
+                const kernel_beside_out _o374 = kernel_beside(0.0, held);
                 beside = _o374.beside;
                 if (beside) {
-                    const kernel_backboard_beside_out _o375 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                    const kernel_ring_beside_out _o375 = kernel_ring_beside(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
                     gap = _o375.gap;
                     nearing = _o375.nearing;
                     gap_curvature = _o375.gap_curvature;
                     const kernel_neighbour_free_time_out _o376 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
                     free_time = _o376.free_time;
                 }
-                const kernel_beside_out _o377 = kernel_beside(2.0, held);
+                const kernel_beside_out _o377 = kernel_beside(1.0, held);
                 beside = _o377.beside;
                 if (beside) {
-                    const kernel_bridge_beside_out _o378 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    const kernel_backboard_beside_out _o378 = kernel_backboard_beside(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
                     gap = _o378.gap;
                     nearing = _o378.nearing;
                     gap_curvature = _o378.gap_curvature;
                     const kernel_neighbour_free_time_out _o379 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
                     free_time = _o379.free_time;
                 }
-                const kernel_end_beside_out _o380 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o380.gap;
-                nearing = _o380.nearing;
-                gap_curvature = _o380.gap_curvature;
-                const kernel_end_plane_free_time_out _o381 = kernel_end_plane_free_time(p_gravity, vx, vy, vz, gap, undecided_time, free_time, nearing, gap_curvature);
-                free_time = _o381.free_time;
-                if (BOUNDS)
-                    undecided_time = _o381.undecided_time;
-                const kernel_holding_out _o382 = kernel_holding(1.0, held);
-                here = _o382.here;
-                if (here) {
-                    const kernel_backboard_seam0_out _o383 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
-                    gap = _o383.gap;
-                    nearing = _o383.nearing;
-                    near = _o383.near;
-                    const kernel_seam_free_time_out _o384 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o384.free_time;
-                    const kernel_backboard_seam1_out _o385 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
-                    gap = _o385.gap;
-                    nearing = _o385.nearing;
-                    near = _o385.near;
-                    const kernel_seam_free_time_out _o386 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o386.free_time;
-                    const kernel_backboard_seam2_out _o387 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
-                    gap = _o387.gap;
-                    nearing = _o387.nearing;
-                    near = _o387.near;
-                    const kernel_seam_free_time_out _o388 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o388.free_time;
-                    const kernel_backboard_seam3_out _o389 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
-                    gap = _o389.gap;
-                    nearing = _o389.nearing;
-                    near = _o389.near;
-                    const kernel_seam_free_time_out _o390 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o390.free_time;
-                    const kernel_backboard_seam4_out _o391 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
-                    gap = _o391.gap;
-                    nearing = _o391.nearing;
-                    near = _o391.near;
-                    const kernel_seam_free_time_out _o392 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o392.free_time;
-                    const kernel_backboard_seam5_out _o393 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
-                    gap = _o393.gap;
-                    nearing = _o393.nearing;
-                    near = _o393.near;
-                    const kernel_seam_free_time_out _o394 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o394.free_time;
+                const kernel_beside_out _o380 = kernel_beside(2.0, held);
+                beside = _o380.beside;
+                if (beside) {
+                    const kernel_bridge_beside_out _o381 = kernel_bridge_beside(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                    gap = _o381.gap;
+                    nearing = _o381.nearing;
+                    gap_curvature = _o381.gap_curvature;
+                    const kernel_neighbour_free_time_out _o382 = kernel_neighbour_free_time(p_gravity, vx, vy, vz, gap, free_time, nearing, gap_curvature);
+                    free_time = _o382.free_time;
                 }
-                const kernel_holding_out _o395 = kernel_holding(2.0, held);
-                here = _o395.here;
+                const kernel_end_beside_out _o383 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o383.gap;
+                nearing = _o383.nearing;
+                gap_curvature = _o383.gap_curvature;
+                const kernel_end_plane_free_time_out _o384 = kernel_end_plane_free_time(p_gravity, vx, vy, vz, gap, undecided_time, free_time, nearing, gap_curvature);
+                free_time = _o384.free_time;
+                if (BOUNDS)
+                    undecided_time = _o384.undecided_time;
+                const kernel_holding_out _o385 = kernel_holding(1.0, held);
+                here = _o385.here;
                 if (here) {
-                    const kernel_bridge_seam0_out _o396 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    const kernel_backboard_seam0_out _o386 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o386.gap;
+                    nearing = _o386.nearing;
+                    near = _o386.near;
+                    const kernel_seam_free_time_out _o387 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o387.free_time;
+                    const kernel_backboard_seam1_out _o388 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o388.gap;
+                    nearing = _o388.nearing;
+                    near = _o388.near;
+                    const kernel_seam_free_time_out _o389 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o389.free_time;
+                    const kernel_backboard_seam2_out _o390 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o390.gap;
+                    nearing = _o390.nearing;
+                    near = _o390.near;
+                    const kernel_seam_free_time_out _o391 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o391.free_time;
+                    const kernel_backboard_seam3_out _o392 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o392.gap;
+                    nearing = _o392.nearing;
+                    near = _o392.near;
+                    const kernel_seam_free_time_out _o393 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o393.free_time;
+                    const kernel_backboard_seam4_out _o394 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o394.gap;
+                    nearing = _o394.nearing;
+                    near = _o394.near;
+                    const kernel_seam_free_time_out _o395 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o395.free_time;
+                    const kernel_backboard_seam5_out _o396 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
                     gap = _o396.gap;
                     nearing = _o396.nearing;
                     near = _o396.near;
                     const kernel_seam_free_time_out _o397 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
                     free_time = _o397.free_time;
-                    const kernel_bridge_seam1_out _o398 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
-                    gap = _o398.gap;
-                    nearing = _o398.nearing;
-                    near = _o398.near;
-                    const kernel_seam_free_time_out _o399 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o399.free_time;
-                    const kernel_bridge_seam2_out _o400 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
-                    gap = _o400.gap;
-                    nearing = _o400.nearing;
-                    near = _o400.near;
-                    const kernel_seam_free_time_out _o401 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o401.free_time;
-                    const kernel_bridge_seam3_out _o402 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
-                    gap = _o402.gap;
-                    nearing = _o402.nearing;
-                    near = _o402.near;
-                    const kernel_seam_free_time_out _o403 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o403.free_time;
-                    const kernel_bridge_seam4_out _o404 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
-                    gap = _o404.gap;
-                    nearing = _o404.nearing;
-                    near = _o404.near;
-                    const kernel_seam_free_time_out _o405 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o405.free_time;
-                    const kernel_bridge_seam5_out _o406 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
-                    gap = _o406.gap;
-                    nearing = _o406.nearing;
-                    near = _o406.near;
-                    const kernel_seam_free_time_out _o407 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
-                    free_time = _o407.free_time;
                 }
-                const kernel_separated_out _o408 = kernel_separated(p_gravity, vx, vy, vz, undecided_time, position_error, velocity_error, clock, time_limit, per_reach, free_time, lift, gap_jerk, gap_snap);
-                when = _o408.when;
+                const kernel_holding_out _o398 = kernel_holding(2.0, held);
+                here = _o398.here;
+                if (here) {
+                    const kernel_bridge_seam0_out _o399 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o399.gap;
+                    nearing = _o399.nearing;
+                    near = _o399.near;
+                    const kernel_seam_free_time_out _o400 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o400.free_time;
+                    const kernel_bridge_seam1_out _o401 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o401.gap;
+                    nearing = _o401.nearing;
+                    near = _o401.near;
+                    const kernel_seam_free_time_out _o402 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o402.free_time;
+                    const kernel_bridge_seam2_out _o403 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o403.gap;
+                    nearing = _o403.nearing;
+                    near = _o403.near;
+                    const kernel_seam_free_time_out _o404 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o404.free_time;
+                    const kernel_bridge_seam3_out _o405 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o405.gap;
+                    nearing = _o405.nearing;
+                    near = _o405.near;
+                    const kernel_seam_free_time_out _o406 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o406.free_time;
+                    const kernel_bridge_seam4_out _o407 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o407.gap;
+                    nearing = _o407.nearing;
+                    near = _o407.near;
+                    const kernel_seam_free_time_out _o408 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o408.free_time;
+                    const kernel_bridge_seam5_out _o409 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o409.gap;
+                    nearing = _o409.nearing;
+                    near = _o409.near;
+                    const kernel_seam_free_time_out _o410 = kernel_seam_free_time(p_gravity, gap, free_time, near, nearing);
+                    free_time = _o410.free_time;
+                }
+                const kernel_separated_out _o411 = kernel_separated(p_gravity, vx, vy, vz, undecided_time, position_error, velocity_error, clock, time_limit, per_reach, free_time, lift, gap_jerk, gap_snap);
+                when = _o411.when;
                 if (BOUNDS)
-                    undecided_time = _o408.undecided_time;
-                const kernel_detachment_out _o409 = kernel_detachment();
-                which = _o409.which;
+                    undecided_time = _o411.undecided_time;
+                const kernel_detachment_out _o412 = kernel_detachment();
+                which = _o412.which;
             }
         }
-        const kernel_departed_out _o410 = kernel_departed(3.0, which);
-        moves = _o410.moves;
-        ends = _o410.ends;
-        touches = _o410.touches;
-        reached = _o410.reached;
+        const kernel_departed_out _o413 = kernel_departed(3.0, which);
+        moves = _o413.moves;
+        ends = _o413.ends;
+        touches = _o413.touches;
+        reached = _o413.reached;
         if (BOUNDS)
-            edge = _o410.edge;
-        const kernel_body_of_out _o411 = kernel_body_of(which);
-        body = _o411.body;
+            edge = _o413.edge;
+        const kernel_body_of_out _o414 = kernel_body_of(which);
+        body = _o414.body;
         if (in_contact) {
-            const kernel_nothing_happens_yet_out _o412 = kernel_nothing_happens_yet(body, touches, mode, moves);
-            moves = _o412.moves;
-            touches = _o412.touches;
-            body = _o412.body;
+            const kernel_nothing_happens_yet_out _o415 = kernel_nothing_happens_yet(body, touches, mode, moves);
+            moves = _o415.moves;
+            touches = _o415.touches;
+            body = _o415.body;
         }
         if (moves) {
             if (BOUNDS) {
-                const kernel_passing_undecided_out _o413 = kernel_passing_undecided(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
-                undecided = _o413.undecided;
-                const kernel_undecided_out _o414 = kernel_undecided(uncertain, undecided);
-                uncertain = _o414.uncertain;
+                const kernel_passing_undecided_out _o416 = kernel_passing_undecided(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ring_radius, p_gravity);
+                undecided = _o416.undecided;
+                const kernel_undecided_out _o417 = kernel_undecided(uncertain, undecided);
+                uncertain = _o417.uncertain;
             }
-            const kernel_passing_out _o415 = kernel_passing(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
-            through = _o415.through;
-            const kernel_flight_out _o416 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
-            x = _o416.x;
-            y = _o416.y;
-            z = _o416.z;
-            vx = _o416.vx;
-            vy = _o416.vy;
-            vz = _o416.vz;
-            const kernel_event_clock_out _o417 = kernel_event_clock(when, clock);
-            clock = _o417.clock;
+            const kernel_passing_out _o418 = kernel_passing(through, when, x, y, z, vx, vy, vz, p_ring_radius, p_gravity);
+            through = _o418.through;
+            const kernel_flight_out _o419 = kernel_flight(when, x, y, z, vx, vy, vz, p_gravity);
+            x = _o419.x;
+            y = _o419.y;
+            z = _o419.z;
+            vx = _o419.vx;
+            vy = _o419.vy;
+            vz = _o419.vz;
+            const kernel_event_clock_out _o420 = kernel_event_clock(when, clock);
+            clock = _o420.clock;
         }
         if (limited) {
-            const kernel_expired_out _o418 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
-            clock = _o418.clock;
-            body = _o418.body;
-            reached = _o418.reached;
-            ends = _o418.ends;
+            const kernel_expired_out _o421 = kernel_expired(4.0, which, body, clock, reached, time_limit, ends);
+            clock = _o421.clock;
+            body = _o421.body;
+            reached = _o421.reached;
+            ends = _o421.ends;
         }
         if (BOUNDS) {
-            const kernel_no_departure_out _o419 = kernel_no_departure();
-            hopped = _o419.hopped;
+            const kernel_no_departure_out _o422 = kernel_no_departure();
+            hopped = _o422.hopped;
         }
         if (in_contact) {
-            const kernel_stay_in_contact_out _o420 = kernel_stay_in_contact(last, which, undecided_time, body, clock, reached, ends, held, mode, rolls, rolling, began, rests);
-            body = _o420.body;
-            reached = _o420.reached;
-            ends = _o420.ends;
-            last = _o420.last;
-            mode = _o420.mode;
-            held = _o420.held;
-            rolls = _o420.rolls;
+            const kernel_stay_in_contact_out _o423 = kernel_stay_in_contact(last, which, undecided_time, body, clock, reached, ends, held, mode, rolls, rolling, began, rests);
+            body = _o423.body;
+            reached = _o423.reached;
+            ends = _o423.ends;
+            last = _o423.last;
+            mode = _o423.mode;
+            held = _o423.held;
+            rolls = _o423.rolls;
             if (BOUNDS) {
-                undecided_time = _o420.undecided_time;
-                hopped = _o420.hopped;
+                undecided_time = _o423.undecided_time;
+                hopped = _o423.hopped;
             }
         }
         if (BOUNDS) {
-            const kernel_displacement_out _o421 = kernel_displacement(earliest_delay, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
-            slack = _o421.margin;
+            const kernel_displacement_out _o424 = kernel_displacement(earliest_delay, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth);
+            slack = _o424.margin;
         }
-        const kernel_here_out _o422 = kernel_here(3.0, which);
-        here = _o422.here;
+        const kernel_here_out _o425 = kernel_here(3.0, which);
+        here = _o425.here;
         if (here) {
-            const kernel_end_bounds_out _o423 = kernel_end_bounds(x, y, p_ring_radius);
-            g0 = _o423.g0;
-            const kernel_end_reached_out _o424 = kernel_end_reached(through, g0);
-            reached = _o424.reached;
+            const kernel_end_bounds_out _o426 = kernel_end_bounds(x, y, p_ring_radius);
+            g0 = _o426.g0;
+            const kernel_end_reached_out _o427 = kernel_end_reached(through, g0);
+            reached = _o427.reached;
             if (BOUNDS) {
-                const kernel_end_edge_out _o425 = kernel_end_edge(slack, through, g0);
-                edge = _o425.edge;
+                const kernel_end_edge_out _o428 = kernel_end_edge(slack, through, g0);
+                edge = _o428.edge;
             }
         }
         if (BOUNDS) {
-            const kernel_contact_undecided_out _o426 = kernel_contact_undecided(last, when, which, earliest_delay, undecided_time, uncertain, edge, assured);
-            uncertain = _o426.uncertain;
+            const kernel_contact_undecided_out _o429 = kernel_contact_undecided(last, when, which, earliest_delay, undecided_time, uncertain, edge, assured);
+            uncertain = _o429.uncertain;
         }
-        const kernel_accounted_out _o427 = kernel_accounted(contacts, most_contacts, reached, touches);
-        contacts = _o427.contacts;
-        outcome = _o427.outcome;
+        const kernel_accounted_out _o430 = kernel_accounted(contacts, most_contacts, reached, touches);
+        contacts = _o430.contacts;
+        outcome = _o430.outcome;
 
         const double _before[] = {x, y, z, vx, vy, vz, wx, wy, wz};
 
         /* What it does to the ball. */
-        const kernel_meeting_out _o428 = kernel_meeting(claims, ends, touches);
-        meeting = _o428.meeting;
-        const kernel_slow_at_start_out _o429 = kernel_slow_at_start(mode);
-        slow = _o429.slow;
+        const kernel_meeting_out _o431 = kernel_meeting(claims, ends, touches);
+        meeting = _o431.meeting;
+        const kernel_slow_at_start_out _o432 = kernel_slow_at_start(mode);
+        slow = _o432.slow;
         if (meeting) {
-            const kernel_end_normal_out _o430 = kernel_end_normal();
-            nx = _o430.nx;
-            ny = _o430.ny;
-            nz = _o430.nz;
-            const kernel_here_out _o431 = kernel_here(0.0, which);
-            here = _o431.here;
-            if (here) {
-                const kernel_ring_normal_out _o432 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = _o432.nx;
-                ny = _o432.ny;
-                nz = _o432.nz;
-                const kernel_counted_out _o433 = kernel_counted(count_0);
-                count_0 = _o433.count;
-            }
-            const kernel_here_out _o434 = kernel_here(1.0, which);
+            const kernel_end_normal_out _o433 = kernel_end_normal();
+            nx = _o433.nx;
+            ny = _o433.ny;
+            nz = _o433.nz;
+            const kernel_here_out _o434 = kernel_here(0.0, which);
             here = _o434.here;
             if (here) {
-                const kernel_backboard_normal_out _o435 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                const kernel_ring_normal_out _o435 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
                 nx = _o435.nx;
                 ny = _o435.ny;
                 nz = _o435.nz;
-                const kernel_counted_out _o436 = kernel_counted(count_1);
-                count_1 = _o436.count;
+                const kernel_counted_out _o436 = kernel_counted(count_0);
+                count_0 = _o436.count;
             }
-            const kernel_here_out _o437 = kernel_here(2.0, which);
+            const kernel_here_out _o437 = kernel_here(1.0, which);
             here = _o437.here;
             if (here) {
-                const kernel_bridge_normal_out _o438 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                const kernel_backboard_normal_out _o438 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
                 nx = _o438.nx;
                 ny = _o438.ny;
                 nz = _o438.nz;
-                const kernel_counted_out _o439 = kernel_counted(count_2);
-                count_2 = _o439.count;
+                const kernel_counted_out _o439 = kernel_counted(count_1);
+                count_1 = _o439.count;
+            }
+            const kernel_here_out _o440 = kernel_here(2.0, which);
+            here = _o440.here;
+            if (here) {
+                const kernel_bridge_normal_out _o441 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = _o441.nx;
+                ny = _o441.ny;
+                nz = _o441.nz;
+                const kernel_counted_out _o442 = kernel_counted(count_2);
+                count_2 = _o442.count;
             }
             if (BOUNDS) {
-                const kernel_elsewhere_out _o440 = kernel_elsewhere();
-                curving = _o440.curving;
-                const kernel_other_start_surface_out _o441 = kernel_other_start_surface();
-                left_nx = _o441.left_nx;
-                left_ny = _o441.left_ny;
-                left_nz = _o441.left_nz;
-                const kernel_again_out _o442 = kernel_again(0.0, last, which);
-                again = _o442.again;
+                const kernel_elsewhere_out _o443 = kernel_elsewhere();
+                curving = _o443.curving;
+                const kernel_other_start_surface_out _o444 = kernel_other_start_surface();
+                left_nx = _o444.left_nx;
+                left_ny = _o444.left_ny;
+                left_nz = _o444.left_nz;
+                const kernel_again_out _o445 = kernel_again(0.0, last, which);
+                again = _o445.again;
                 if (again) {
-                    const kernel_ring_curvature_out _o443 = kernel_ring_curvature(p_ball_radius, p_ring_radius, p_wire_radius);
-                    curving = _o443.curvature;
-                    const kernel_started_out _o444 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
-                    from_x = _o444.from_x;
-                    from_y = _o444.from_y;
-                    from_z = _o444.from_z;
-                    const kernel_ring_normal_out _o445 = kernel_ring_normal(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius);
-                    left_nx = _o445.nx;
-                    left_ny = _o445.ny;
-                    left_nz = _o445.nz;
+                    const kernel_ring_curvature_out _o446 = kernel_ring_curvature(p_ball_radius, p_ring_radius, p_wire_radius);
+                    curving = _o446.curvature;
+                    const kernel_started_out _o447 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
+                    from_x = _o447.from_x;
+                    from_y = _o447.from_y;
+                    from_z = _o447.from_z;
+                    const kernel_ring_normal_out _o448 = kernel_ring_normal(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    left_nx = _o448.nx;
+                    left_ny = _o448.ny;
+                    left_nz = _o448.nz;
                 }
-                const kernel_again_out _o446 = kernel_again(1.0, last, which);
-                again = _o446.again;
+                const kernel_again_out _o449 = kernel_again(1.0, last, which);
+                again = _o449.again;
                 if (again) {
-                    const kernel_backboard_curvature_out _o447 = kernel_backboard_curvature(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
-                    curving = _o447.curvature;
-                    const kernel_started_out _o448 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
-                    from_x = _o448.from_x;
-                    from_y = _o448.from_y;
-                    from_z = _o448.from_z;
-                    const kernel_backboard_normal_out _o449 = kernel_backboard_normal(from_x, from_y, from_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    left_nx = _o449.nx;
-                    left_ny = _o449.ny;
-                    left_nz = _o449.nz;
+                    const kernel_backboard_curvature_out _o450 = kernel_backboard_curvature(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                    curving = _o450.curvature;
+                    const kernel_started_out _o451 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
+                    from_x = _o451.from_x;
+                    from_y = _o451.from_y;
+                    from_z = _o451.from_z;
+                    const kernel_backboard_normal_out _o452 = kernel_backboard_normal(from_x, from_y, from_z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    left_nx = _o452.nx;
+                    left_ny = _o452.ny;
+                    left_nz = _o452.nz;
                 }
-                const kernel_again_out _o450 = kernel_again(2.0, last, which);
-                again = _o450.again;
+                const kernel_again_out _o453 = kernel_again(2.0, last, which);
+                again = _o453.again;
                 if (again) {
-                    const kernel_bridge_curvature_out _o451 = kernel_bridge_curvature(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
-                    curving = _o451.curvature;
-                    const kernel_started_out _o452 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
-                    from_x = _o452.from_x;
-                    from_y = _o452.from_y;
-                    from_z = _o452.from_z;
-                    const kernel_bridge_normal_out _o453 = kernel_bridge_normal(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    left_nx = _o453.nx;
-                    left_ny = _o453.ny;
-                    left_nz = _o453.nz;
+                    const kernel_bridge_curvature_out _o454 = kernel_bridge_curvature(when, x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                    curving = _o454.curvature;
+                    const kernel_started_out _o455 = kernel_started(p_gravity, x, y, z, vx, vy, vz, when);
+                    from_x = _o455.from_x;
+                    from_y = _o455.from_y;
+                    from_z = _o455.from_z;
+                    const kernel_bridge_normal_out _o456 = kernel_bridge_normal(from_x, from_y, from_z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    left_nx = _o456.nx;
+                    left_ny = _o456.ny;
+                    left_nz = _o456.nz;
                 }
-                const kernel_carry_flight_out _o454 = kernel_carry_flight(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, p_gravity);
-                dx = _o454.dx;
-                dy = _o454.dy;
-                dz = _o454.dz;
-                lifting = _o454.lifting;
-                dvx = _o454.dvx;
-                dvy = _o454.dvy;
-                dvz = _o454.dvz;
-                belated = _o454.delay;
-                shift = _o454.shift;
-                const kernel_clock_error_sum_out _o455 = kernel_clock_error_sum(belated, clock_error);
-                clock_error = _o455.clock_error;
+                const kernel_carry_flight_out _o457 = kernel_carry_flight(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, earliest_delay, dx, dy, dz, dvx, dvy, dvz, left_nx, left_ny, left_nz, curving, p_gravity);
+                dx = _o457.dx;
+                dy = _o457.dy;
+                dz = _o457.dz;
+                lifting = _o457.lifting;
+                dvx = _o457.dvx;
+                dvy = _o457.dvy;
+                dvz = _o457.dvz;
+                belated = _o457.delay;
+                shift = _o457.shift;
+                const kernel_clock_error_sum_out _o458 = kernel_clock_error_sum(belated, clock_error);
+                clock_error = _o458.clock_error;
                 if (ends) {
-                    const kernel_error_floor_out _o456 = kernel_error_floor(dx, dy, dz, shift);
-                    dx = _o456.dx;
-                    dy = _o456.dy;
-                    dz = _o456.dz;
+                    const kernel_error_floor_out _o459 = kernel_error_floor(dx, dy, dz, shift);
+                    dx = _o459.dx;
+                    dy = _o459.dy;
+                    dz = _o459.dz;
                 }
-                const kernel_no_normal_error_out _o457 = kernel_no_normal_error();
-                dnx = _o457.dnx;
-                dny = _o457.dny;
-                dnz = _o457.dnz;
-                turn = _o457.turn;
-                const kernel_here_out _o458 = kernel_here(0.0, which);
-                here = _o458.here;
+                const kernel_no_normal_error_out _o460 = kernel_no_normal_error();
+                dnx = _o460.dnx;
+                dny = _o460.dny;
+                dnz = _o460.dnz;
+                turn = _o460.turn;
+                const kernel_here_out _o461 = kernel_here(0.0, which);
+                here = _o461.here;
                 if (here) {
-                    const kernel_ring_carry_normal_out _o459 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = _o459.dnx;
-                    dny = _o459.dny;
-                    dnz = _o459.dnz;
-                    turn = _o459.turn;
+                    const kernel_ring_carry_normal_out _o462 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
+                    dnx = _o462.dnx;
+                    dny = _o462.dny;
+                    dnz = _o462.dnz;
+                    turn = _o462.turn;
                 }
-                const kernel_here_out _o460 = kernel_here(1.0, which);
-                here = _o460.here;
+                const kernel_here_out _o463 = kernel_here(1.0, which);
+                here = _o463.here;
                 if (here) {
-                    const kernel_backboard_carry_normal_out _o461 = kernel_backboard_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    dnx = _o461.dnx;
-                    dny = _o461.dny;
-                    dnz = _o461.dnz;
-                    turn = _o461.turn;
+                    const kernel_backboard_carry_normal_out _o464 = kernel_backboard_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    dnx = _o464.dnx;
+                    dny = _o464.dny;
+                    dnz = _o464.dnz;
+                    turn = _o464.turn;
                 }
-                const kernel_here_out _o462 = kernel_here(2.0, which);
-                here = _o462.here;
+                const kernel_here_out _o465 = kernel_here(2.0, which);
+                here = _o465.here;
                 if (here) {
-                    const kernel_bridge_carry_normal_out _o463 = kernel_bridge_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    dnx = _o463.dnx;
-                    dny = _o463.dny;
-                    dnz = _o463.dnz;
-                    turn = _o463.turn;
+                    const kernel_bridge_carry_normal_out _o466 = kernel_bridge_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    dnx = _o466.dnx;
+                    dny = _o466.dny;
+                    dnz = _o466.dnz;
+                    turn = _o466.turn;
                 }
             }
-            const kernel_other_kind_out _o464 = kernel_other_kind();
-            struck_0 = _o464.of_this_kind;
-            const kernel_ring_impact_taken_out _o465 = kernel_ring_impact_taken(p_ring_restitution, p_ring_friction);
-            its_0_ring_impact = _o465.its_0;
-            its_1_ring_impact = _o465.its_1;
+            const kernel_other_kind_out _o467 = kernel_other_kind();
+            struck_0 = _o467.of_this_kind;
+            const kernel_ring_impact_taken_out _o468 = kernel_ring_impact_taken(p_ring_restitution, p_ring_friction);
+            its_0_ring_impact = _o468.its_0;
+            its_1_ring_impact = _o468.its_1;
             for (size_t _row = 0; _row < 3; _row++) {
                 const double own_1 = parameter(_given, table_0[_row][0]);
                 const double own_2 = parameter(_given, table_0[_row][1]);
                 const double own_index = table_1[_row][0];
-                const kernel_here_out _o466 = kernel_here(own_index, which);
-                here = _o466.here;
+                const kernel_here_out _o469 = kernel_here(own_index, which);
+                here = _o469.here;
                 if (here) {
-                    const kernel_ring_impact_taken_out _o467 = kernel_ring_impact_taken(own_2, own_1);
-                    struck_0 = _o467.of_this_kind;
-                    its_0_ring_impact = _o467.its_0;
-                    its_1_ring_impact = _o467.its_1;
+                    const kernel_ring_impact_taken_out _o470 = kernel_ring_impact_taken(own_2, own_1);
+                    struck_0 = _o470.of_this_kind;
+                    its_0_ring_impact = _o470.its_0;
+                    its_1_ring_impact = _o470.its_1;
                 }
             }
             if (struck_0) {
                 if (BOUNDS) {
-                    const kernel_ring_impact_undecided_out _o468 = kernel_ring_impact_undecided(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
-                    undecided = _o468.undecided;
-                    const kernel_undecided_out _o469 = kernel_undecided(uncertain, undecided);
-                    uncertain = _o469.uncertain;
-                    const kernel_carry_ring_impact_out _o470 = kernel_carry_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
-                    dvx = _o470.dvx;
-                    dvy = _o470.dvy;
-                    dvz = _o470.dvz;
-                    dwx = _o470.dwx;
-                    dwy = _o470.dwy;
-                    dwz = _o470.dwz;
+                    const kernel_ring_impact_undecided_out _o471 = kernel_ring_impact_undecided(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                    undecided = _o471.undecided;
+                    const kernel_undecided_out _o472 = kernel_undecided(uncertain, undecided);
+                    uncertain = _o472.uncertain;
+                    const kernel_carry_ring_impact_out _o473 = kernel_carry_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                    dvx = _o473.dvx;
+                    dvy = _o473.dvy;
+                    dvz = _o473.dvz;
+                    dwx = _o473.dwx;
+                    dwy = _o473.dwy;
+                    dwz = _o473.dwz;
                 }
-                const kernel_ring_impact_out _o471 = kernel_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
-                vx = _o471.vx;
-                vy = _o471.vy;
-                vz = _o471.vz;
-                wx = _o471.wx;
-                wy = _o471.wy;
-                wz = _o471.wz;
+                const kernel_ring_impact_out _o474 = kernel_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                vx = _o474.vx;
+                vy = _o474.vy;
+                vz = _o474.vz;
+                wx = _o474.wx;
+                wy = _o474.wy;
+                wz = _o474.wz;
             }
             if (touches) {
-                const kernel_touched_out _o472 = kernel_touched(which, body, first);
-                first = _o472.first;
-                last = _o472.last;
-                const kernel_leaves_slowly_out _o473 = kernel_leaves_slowly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, position_error);
-                slow = _o473.slow;
+                const kernel_touched_out _o475 = kernel_touched(which, body, first);
+                first = _o475.first;
+                last = _o475.last;
+                const kernel_leaves_slowly_out _o476 = kernel_leaves_slowly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, position_error);
+                slow = _o476.slow;
                 if (BOUNDS)
-                    assured = _o473.assured;
+                    assured = _o476.assured;
             }
         }
         if (slow) {
-            const kernel_ring_normal_out _o474 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-            nx = _o474.nx;
-            ny = _o474.ny;
-            nz = _o474.nz;
-            const kernel_here_out _o475 = kernel_here(1.0, which);
-            here = _o475.here;
+            const kernel_ring_normal_out _o477 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+            nx = _o477.nx;
+            ny = _o477.ny;
+            nz = _o477.nz;
+            const kernel_here_out _o478 = kernel_here(1.0, which);
+            here = _o478.here;
             if (here) {
-                const kernel_backboard_normal_out _o476 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = _o476.nx;
-                ny = _o476.ny;
-                nz = _o476.nz;
+                const kernel_backboard_normal_out _o479 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                nx = _o479.nx;
+                ny = _o479.ny;
+                nz = _o479.nz;
             }
-            const kernel_here_out _o477 = kernel_here(2.0, which);
-            here = _o477.here;
+            const kernel_here_out _o480 = kernel_here(2.0, which);
+            here = _o480.here;
             if (here) {
-                const kernel_bridge_normal_out _o478 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = _o478.nx;
-                ny = _o478.ny;
-                nz = _o478.nz;
+                const kernel_bridge_normal_out _o481 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = _o481.nx;
+                ny = _o481.ny;
+                nz = _o481.nz;
             }
-            const kernel_off_at_start_out _o479 = kernel_off_at_start(mode);
-            put_on = _o479.put_on;
+            const kernel_off_at_start_out _o482 = kernel_off_at_start(mode);
+            put_on = _o482.put_on;
             if (put_on) {
-                const kernel_ring_distance_out _o480 = kernel_ring_distance(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                gap = _o480.gap;
-                const kernel_here_out _o481 = kernel_here(1.0, which);
-                here = _o481.here;
+                const kernel_ring_distance_out _o483 = kernel_ring_distance(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
+                gap = _o483.gap;
+                const kernel_here_out _o484 = kernel_here(1.0, which);
+                here = _o484.here;
                 if (here) {
-                    const kernel_backboard_distance_out _o482 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                    gap = _o482.gap;
+                    const kernel_backboard_distance_out _o485 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                    gap = _o485.gap;
                 }
-                const kernel_here_out _o483 = kernel_here(2.0, which);
-                here = _o483.here;
+                const kernel_here_out _o486 = kernel_here(2.0, which);
+                here = _o486.here;
                 if (here) {
-                    const kernel_bridge_distance_out _o484 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = _o484.gap;
+                    const kernel_bridge_distance_out _o487 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o487.gap;
                 }
-                const kernel_placed_at_start_out _o485 = kernel_placed_at_start(x, y, z, nx, ny, nz, gap);
-                x = _o485.x;
-                y = _o485.y;
-                z = _o485.z;
+                const kernel_placed_at_start_out _o488 = kernel_placed_at_start(x, y, z, nx, ny, nz, gap);
+                x = _o488.x;
+                y = _o488.y;
+                z = _o488.z;
                 if (BOUNDS) {
-                    const kernel_start_errors_out _o486 = kernel_start_errors(p_ball_radius, x, y, z, dx, dy, dz);
-                    dx = _o486.dx;
-                    dy = _o486.dy;
-                    dz = _o486.dz;
+                    const kernel_start_errors_out _o489 = kernel_start_errors(p_ball_radius, x, y, z, dx, dy, dz);
+                    dx = _o489.dx;
+                    dy = _o489.dy;
+                    dz = _o489.dz;
                 }
-                const kernel_ring_normal_out _o487 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = _o487.nx;
-                ny = _o487.ny;
-                nz = _o487.nz;
-                const kernel_here_out _o488 = kernel_here(1.0, which);
-                here = _o488.here;
+                const kernel_ring_normal_out _o490 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                nx = _o490.nx;
+                ny = _o490.ny;
+                nz = _o490.nz;
+                const kernel_here_out _o491 = kernel_here(1.0, which);
+                here = _o491.here;
                 if (here) {
-                    const kernel_backboard_normal_out _o489 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = _o489.nx;
-                    ny = _o489.ny;
-                    nz = _o489.nz;
+                    const kernel_backboard_normal_out _o492 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = _o492.nx;
+                    ny = _o492.ny;
+                    nz = _o492.nz;
                 }
-                const kernel_here_out _o490 = kernel_here(2.0, which);
-                here = _o490.here;
+                const kernel_here_out _o493 = kernel_here(2.0, which);
+                here = _o493.here;
                 if (here) {
-                    const kernel_bridge_normal_out _o491 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = _o491.nx;
-                    ny = _o491.ny;
-                    nz = _o491.nz;
+                    const kernel_bridge_normal_out _o494 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o494.nx;
+                    ny = _o494.ny;
+                    nz = _o494.nz;
                 }
             }
-            const kernel_nearly_out _o492 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
-            nearly = _o492.nearly;
-            const kernel_gripped_out _o493 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            rolled_x = _o493.rolled_x;
-            rolled_y = _o493.rolled_y;
-            rolled_z = _o493.rolled_z;
-            slip = _o493.slip;
-            bounce = _o493.bounce;
-            const kernel_here_out _o494 = kernel_here(0.0, which);
-            here = _o494.here;
+            const kernel_nearly_out _o495 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
+            nearly = _o495.nearly;
+            const kernel_gripped_out _o496 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+            rolled_x = _o496.rolled_x;
+            rolled_y = _o496.rolled_y;
+            rolled_z = _o496.rolled_z;
+            slip = _o496.slip;
+            bounce = _o496.bounce;
+            const kernel_here_out _o497 = kernel_here(0.0, which);
+            here = _o497.here;
             if (here) {
-                const kernel_ring_turning_out _o495 = kernel_ring_turning(p_ball_radius, p_ring_radius, p_wire_radius, x, y, rolled_x, rolled_y, rolled_z);
-                turning_x = _o495.turning_x;
-                turning_y = _o495.turning_y;
-                turning_z = _o495.turning_z;
-                const kernel_pressed_on_out _o496 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o496.press;
-                weight = _o496.weight;
-                rolling_friction = _o496.rolling_friction;
-                rolling_acceleration_x = _o496.rolling_acceleration_x;
-                rolling_acceleration_y = _o496.rolling_acceleration_y;
-                rolling_acceleration_z = _o496.rolling_acceleration_z;
-                const kernel_isolated_out _o497 = kernel_isolated();
-                nearest = _o497.nearest;
-                second_contact_gap = _o497.second_contact_gap;
-                const kernel_backboard_closing_out _o498 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o498.gap;
-                nearing = _o498.nearing;
-                rolling_gap_acceleration = _o498.rolling_gap_acceleration;
-                normal_cosine = _o498.normal_cosine;
-                const kernel_near_body_out _o499 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o499.nearest;
-                second_contact_gap = _o499.second_contact_gap;
-                const kernel_bridge_closing_out _o500 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o500.gap;
-                nearing = _o500.nearing;
-                rolling_gap_acceleration = _o500.rolling_gap_acceleration;
-                normal_cosine = _o500.normal_cosine;
-                const kernel_near_body_out _o501 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o501.nearest;
-                second_contact_gap = _o501.second_contact_gap;
-                const kernel_end_beside_out _o502 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o502.gap;
-                const kernel_near_end_plane_out _o503 = kernel_near_end_plane(gap, nearest);
-                nearest = _o503.nearest;
-                const kernel_ring_separation_out _o504 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
-                lift = _o504.lift;
-                gap_jerk = _o504.gap_jerk;
-                const kernel_ring_impact_settling_out _o505 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_ring_friction, p_ring_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
-                settles = _o505.settles;
-                lodges = _o505.lodges;
-                slides = _o505.slides;
-                unpressed = _o505.unpressed;
-                undecided = _o505.undecided;
+                const kernel_ring_turning_out _o498 = kernel_ring_turning(p_ball_radius, p_ring_radius, p_wire_radius, x, y, rolled_x, rolled_y, rolled_z);
+                turning_x = _o498.turning_x;
+                turning_y = _o498.turning_y;
+                turning_z = _o498.turning_z;
+                const kernel_pressed_on_out _o499 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o499.press;
+                weight = _o499.weight;
+                rolling_friction = _o499.rolling_friction;
+                rolling_acceleration_x = _o499.rolling_acceleration_x;
+                rolling_acceleration_y = _o499.rolling_acceleration_y;
+                rolling_acceleration_z = _o499.rolling_acceleration_z;
+                const kernel_isolated_out _o500 = kernel_isolated();
+                nearest = _o500.nearest;
+                second_contact_gap = _o500.second_contact_gap;
+                const kernel_backboard_closing_out _o501 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o501.gap;
+                nearing = _o501.nearing;
+                rolling_gap_acceleration = _o501.rolling_gap_acceleration;
+                normal_cosine = _o501.normal_cosine;
+                const kernel_near_body_out _o502 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o502.nearest;
+                second_contact_gap = _o502.second_contact_gap;
+                const kernel_bridge_closing_out _o503 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o503.gap;
+                nearing = _o503.nearing;
+                rolling_gap_acceleration = _o503.rolling_gap_acceleration;
+                normal_cosine = _o503.normal_cosine;
+                const kernel_near_body_out _o504 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o504.nearest;
+                second_contact_gap = _o504.second_contact_gap;
+                const kernel_end_beside_out _o505 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o505.gap;
+                const kernel_near_end_plane_out _o506 = kernel_near_end_plane(gap, nearest);
+                nearest = _o506.nearest;
+                const kernel_ring_separation_out _o507 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
+                lift = _o507.lift;
+                gap_jerk = _o507.gap_jerk;
+                const kernel_ring_impact_settling_out _o508 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_ring_friction, p_ring_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
+                settles = _o508.settles;
+                lodges = _o508.lodges;
+                slides = _o508.slides;
+                unpressed = _o508.unpressed;
+                undecided = _o508.undecided;
                 if (BOUNDS)
-                    assured = _o505.assured;
-                const kernel_settled_out _o506 = kernel_settled(0.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
-                mode = _o506.mode;
-                held = _o506.held;
-                outcome = _o506.outcome;
-                slip_left = _o506.slip_left;
+                    assured = _o508.assured;
+                const kernel_settled_out _o509 = kernel_settled(0.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                mode = _o509.mode;
+                held = _o509.held;
+                outcome = _o509.outcome;
+                slip_left = _o509.slip_left;
                 if (BOUNDS)
-                    uncertain = _o506.uncertain;
+                    uncertain = _o509.uncertain;
             }
-            const kernel_here_out _o507 = kernel_here(1.0, which);
-            here = _o507.here;
+            const kernel_here_out _o510 = kernel_here(1.0, which);
+            here = _o510.here;
             if (here) {
-                const kernel_backboard_turning_out _o508 = kernel_backboard_turning(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, rolled_x, rolled_y, rolled_z);
-                turning_x = _o508.turning_x;
-                turning_y = _o508.turning_y;
-                turning_z = _o508.turning_z;
-                const kernel_pressed_on_out _o509 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o509.press;
-                weight = _o509.weight;
-                rolling_friction = _o509.rolling_friction;
-                rolling_acceleration_x = _o509.rolling_acceleration_x;
-                rolling_acceleration_y = _o509.rolling_acceleration_y;
-                rolling_acceleration_z = _o509.rolling_acceleration_z;
-                const kernel_isolated_out _o510 = kernel_isolated();
-                nearest = _o510.nearest;
-                second_contact_gap = _o510.second_contact_gap;
-                const kernel_ring_closing_out _o511 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o511.gap;
-                nearing = _o511.nearing;
-                rolling_gap_acceleration = _o511.rolling_gap_acceleration;
-                normal_cosine = _o511.normal_cosine;
-                const kernel_near_body_out _o512 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o512.nearest;
-                second_contact_gap = _o512.second_contact_gap;
-                const kernel_bridge_closing_out _o513 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o513.gap;
-                nearing = _o513.nearing;
-                rolling_gap_acceleration = _o513.rolling_gap_acceleration;
-                normal_cosine = _o513.normal_cosine;
-                const kernel_near_body_out _o514 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o514.nearest;
-                second_contact_gap = _o514.second_contact_gap;
-                const kernel_end_beside_out _o515 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o515.gap;
-                const kernel_near_end_plane_out _o516 = kernel_near_end_plane(gap, nearest);
-                nearest = _o516.nearest;
-                const kernel_backboard_separation_out _o517 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
-                lift = _o517.lift;
-                gap_jerk = _o517.gap_jerk;
-                const kernel_ring_impact_settling_out _o518 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_backboard_friction, p_backboard_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
-                settles = _o518.settles;
-                lodges = _o518.lodges;
-                slides = _o518.slides;
-                unpressed = _o518.unpressed;
-                undecided = _o518.undecided;
+                const kernel_backboard_turning_out _o511 = kernel_backboard_turning(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, rolled_x, rolled_y, rolled_z);
+                turning_x = _o511.turning_x;
+                turning_y = _o511.turning_y;
+                turning_z = _o511.turning_z;
+                const kernel_pressed_on_out _o512 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o512.press;
+                weight = _o512.weight;
+                rolling_friction = _o512.rolling_friction;
+                rolling_acceleration_x = _o512.rolling_acceleration_x;
+                rolling_acceleration_y = _o512.rolling_acceleration_y;
+                rolling_acceleration_z = _o512.rolling_acceleration_z;
+                const kernel_isolated_out _o513 = kernel_isolated();
+                nearest = _o513.nearest;
+                second_contact_gap = _o513.second_contact_gap;
+                const kernel_ring_closing_out _o514 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o514.gap;
+                nearing = _o514.nearing;
+                rolling_gap_acceleration = _o514.rolling_gap_acceleration;
+                normal_cosine = _o514.normal_cosine;
+                const kernel_near_body_out _o515 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o515.nearest;
+                second_contact_gap = _o515.second_contact_gap;
+                const kernel_bridge_closing_out _o516 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o516.gap;
+                nearing = _o516.nearing;
+                rolling_gap_acceleration = _o516.rolling_gap_acceleration;
+                normal_cosine = _o516.normal_cosine;
+                const kernel_near_body_out _o517 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o517.nearest;
+                second_contact_gap = _o517.second_contact_gap;
+                const kernel_end_beside_out _o518 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o518.gap;
+                const kernel_near_end_plane_out _o519 = kernel_near_end_plane(gap, nearest);
+                nearest = _o519.nearest;
+                const kernel_backboard_separation_out _o520 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
+                lift = _o520.lift;
+                gap_jerk = _o520.gap_jerk;
+                const kernel_ring_impact_settling_out _o521 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_backboard_friction, p_backboard_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
+                settles = _o521.settles;
+                lodges = _o521.lodges;
+                slides = _o521.slides;
+                unpressed = _o521.unpressed;
+                undecided = _o521.undecided;
                 if (BOUNDS)
-                    assured = _o518.assured;
-                const kernel_settled_out _o519 = kernel_settled(1.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
-                mode = _o519.mode;
-                held = _o519.held;
-                outcome = _o519.outcome;
-                slip_left = _o519.slip_left;
+                    assured = _o521.assured;
+                const kernel_settled_out _o522 = kernel_settled(1.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                mode = _o522.mode;
+                held = _o522.held;
+                outcome = _o522.outcome;
+                slip_left = _o522.slip_left;
                 if (BOUNDS)
-                    uncertain = _o519.uncertain;
+                    uncertain = _o522.uncertain;
             }
-            const kernel_here_out _o520 = kernel_here(2.0, which);
-            here = _o520.here;
+            const kernel_here_out _o523 = kernel_here(2.0, which);
+            here = _o523.here;
             if (here) {
-                const kernel_bridge_turning_out _o521 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
-                turning_x = _o521.turning_x;
-                turning_y = _o521.turning_y;
-                turning_z = _o521.turning_z;
-                const kernel_pressed_on_out _o522 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o522.press;
-                weight = _o522.weight;
-                rolling_friction = _o522.rolling_friction;
-                rolling_acceleration_x = _o522.rolling_acceleration_x;
-                rolling_acceleration_y = _o522.rolling_acceleration_y;
-                rolling_acceleration_z = _o522.rolling_acceleration_z;
-                const kernel_isolated_out _o523 = kernel_isolated();
-                nearest = _o523.nearest;
-                second_contact_gap = _o523.second_contact_gap;
-                const kernel_ring_closing_out _o524 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o524.gap;
-                nearing = _o524.nearing;
-                rolling_gap_acceleration = _o524.rolling_gap_acceleration;
-                normal_cosine = _o524.normal_cosine;
-                const kernel_near_body_out _o525 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o525.nearest;
-                second_contact_gap = _o525.second_contact_gap;
-                const kernel_backboard_closing_out _o526 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o526.gap;
-                nearing = _o526.nearing;
-                rolling_gap_acceleration = _o526.rolling_gap_acceleration;
-                normal_cosine = _o526.normal_cosine;
-                const kernel_near_body_out _o527 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o527.nearest;
-                second_contact_gap = _o527.second_contact_gap;
-                const kernel_end_beside_out _o528 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o528.gap;
-                const kernel_near_end_plane_out _o529 = kernel_near_end_plane(gap, nearest);
-                nearest = _o529.nearest;
-                const kernel_bridge_separation_out _o530 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                lift = _o530.lift;
-                gap_jerk = _o530.gap_jerk;
-                const kernel_ring_impact_settling_out _o531 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_bridge_friction, p_bridge_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
-                settles = _o531.settles;
-                lodges = _o531.lodges;
-                slides = _o531.slides;
-                unpressed = _o531.unpressed;
-                undecided = _o531.undecided;
+                const kernel_bridge_turning_out _o524 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
+                turning_x = _o524.turning_x;
+                turning_y = _o524.turning_y;
+                turning_z = _o524.turning_z;
+                const kernel_pressed_on_out _o525 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o525.press;
+                weight = _o525.weight;
+                rolling_friction = _o525.rolling_friction;
+                rolling_acceleration_x = _o525.rolling_acceleration_x;
+                rolling_acceleration_y = _o525.rolling_acceleration_y;
+                rolling_acceleration_z = _o525.rolling_acceleration_z;
+                const kernel_isolated_out _o526 = kernel_isolated();
+                nearest = _o526.nearest;
+                second_contact_gap = _o526.second_contact_gap;
+                const kernel_ring_closing_out _o527 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o527.gap;
+                nearing = _o527.nearing;
+                rolling_gap_acceleration = _o527.rolling_gap_acceleration;
+                normal_cosine = _o527.normal_cosine;
+                const kernel_near_body_out _o528 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o528.nearest;
+                second_contact_gap = _o528.second_contact_gap;
+                const kernel_backboard_closing_out _o529 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o529.gap;
+                nearing = _o529.nearing;
+                rolling_gap_acceleration = _o529.rolling_gap_acceleration;
+                normal_cosine = _o529.normal_cosine;
+                const kernel_near_body_out _o530 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o530.nearest;
+                second_contact_gap = _o530.second_contact_gap;
+                const kernel_end_beside_out _o531 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o531.gap;
+                const kernel_near_end_plane_out _o532 = kernel_near_end_plane(gap, nearest);
+                nearest = _o532.nearest;
+                const kernel_bridge_separation_out _o533 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                lift = _o533.lift;
+                gap_jerk = _o533.gap_jerk;
+                const kernel_ring_impact_settling_out _o534 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_bridge_friction, p_bridge_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
+                settles = _o534.settles;
+                lodges = _o534.lodges;
+                slides = _o534.slides;
+                unpressed = _o534.unpressed;
+                undecided = _o534.undecided;
                 if (BOUNDS)
-                    assured = _o531.assured;
-                const kernel_settled_out _o532 = kernel_settled(2.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
-                mode = _o532.mode;
-                held = _o532.held;
-                outcome = _o532.outcome;
-                slip_left = _o532.slip_left;
+                    assured = _o534.assured;
+                const kernel_settled_out _o535 = kernel_settled(2.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                mode = _o535.mode;
+                held = _o535.held;
+                outcome = _o535.outcome;
+                slip_left = _o535.slip_left;
                 if (BOUNDS)
-                    uncertain = _o532.uncertain;
+                    uncertain = _o535.uncertain;
             }
         }
         if (BOUNDS) {
             if (limited) {
-                const kernel_ends_by_time_limit_out _o533 = kernel_ends_by_time_limit(4.0, which, claims);
-                ends_by_time_limit = _o533.ends_by_time_limit;
+                const kernel_ends_by_time_limit_out _o536 = kernel_ends_by_time_limit(4.0, which, claims);
+                ends_by_time_limit = _o536.ends_by_time_limit;
                 if (ends_by_time_limit) {
-                    const kernel_carry_time_out _o534 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = _o534.dx;
-                    dy = _o534.dy;
-                    dz = _o534.dz;
-                    dvx = _o534.dvx;
-                    dvy = _o534.dvy;
-                    dvz = _o534.dvz;
-                    clock_error = _o534.clock_error;
+                    const kernel_carry_time_out _o537 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
+                    dx = _o537.dx;
+                    dy = _o537.dy;
+                    dz = _o537.dz;
+                    dvx = _o537.dvx;
+                    dvy = _o537.dvy;
+                    dvz = _o537.dvz;
+                    clock_error = _o537.clock_error;
                 }
             }
             if (hopped) {
-                const kernel_carry_hop_out _o535 = kernel_carry_hop(x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, when);
-                dx = _o535.dx;
-                dy = _o535.dy;
-                dz = _o535.dz;
+                const kernel_carry_hop_out _o538 = kernel_carry_hop(x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, when);
+                dx = _o538.dx;
+                dy = _o538.dy;
+                dz = _o538.dz;
             }
-            const kernel_closing_out _o536 = kernel_closing(outcome, claims);
-            reports = _o536.reports;
-            position_claim = _o536.position_claim;
-            velocity_claim = _o536.velocity_claim;
-            spin_claim = _o536.spin_claim;
-            time_claim = _o536.time_claim;
+            const kernel_closing_out _o539 = kernel_closing(outcome, claims);
+            reports = _o539.reports;
+            position_claim = _o539.position_claim;
+            velocity_claim = _o539.velocity_claim;
+            spin_claim = _o539.spin_claim;
+            time_claim = _o539.time_claim;
             if (reports) {
-                const kernel_claimed_errors_out _o537 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = _o537.position_error;
-                velocity_claim = _o537.velocity_error;
-                spin_claim = _o537.spin_error;
-                time_claim = _o537.time_error;
+                const kernel_claimed_errors_out _o540 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                position_claim = _o540.position_error;
+                velocity_claim = _o540.velocity_error;
+                spin_claim = _o540.spin_error;
+                time_claim = _o540.time_error;
             }
         }
 

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 7bab8060f636f901,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation cf814d7dac6b467f,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -520,6 +520,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "backboard_refine": ("time", "gap", "rate",),
     "backboard_advance": ("gap", "rate", "bend", "step", "next", "clearance",),
     "backboard_near": ("near",),
+    "backboard_approaches": ("near",),
     "backboard_beside": ("gap", "nearing", "gap_curvature",),
     "backboard_closing": ("gap", "nearing", "rolling_gap_acceleration", "normal_cosine",),
     "backboard_distance": ("gap",),
@@ -542,7 +543,8 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "bridge_margins": ("margin", "leaving_margin", "rate_margin",),
     "bridge_refine": ("time", "gap", "rate",),
     "bridge_advance": ("gap", "rate", "bend", "step", "next", "clearance",),
-    "bridge_near": ("near",),
+    "bridge_near": ("near", "first_near", "later_near",),
+    "bridge_approaches": ("near",),
     "bridge_beside": ("gap", "nearing", "gap_curvature",),
     "bridge_closing": ("gap", "nearing", "rolling_gap_acceleration", "normal_cosine",),
     "bridge_distance": ("gap",),
@@ -846,10 +848,11 @@ _k235 = _float64(12.01171875)
 _k236 = _float64(4.00390625)
 _k237 = _float64(2.667137344314341e-15)
 _k238 = _float64(6.005859375)
-_k239 = _float64(5.551115123125783e-16)
-_k240 = _scalar(2.222614453595284e-16)
-_k241 = _float64(6.667843360785852e-16)
-_k242 = _float64(2.222614453595284e-16)
+_k239 = _scalar(2.9802322387695312e-08)
+_k240 = _float64(5.551115123125783e-16)
+_k241 = _scalar(2.222614453595284e-16)
+_k242 = _float64(6.667843360785852e-16)
+_k243 = _float64(2.222614453595284e-16)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -4675,35 +4678,42 @@ def backboard_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: 
     return _s27, _s29, _s31, _s52, t + _s52, _result(_k4 < _s53, _subtract(_multiply(_s53, _s53, _r5), _multiply(_multiply(_k23, ceiling, _r2), _add(margin, _s43, _r6), _r2), _r2), _s53, _r0)
 
 
-def backboard_near(middle_x: Any, middle_y: Any, middle_z: Any, reach_x: Any, reach_y: Any, reach_z: Any, later_middle_x: Any, later_middle_y: Any, later_middle_z: Any, later_reach_x: Any, later_reach_y: Any, later_reach_z: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def backboard_near(horizon: Any, x: Any, vx: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, earliest_delay: Any, pad: Any, p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Whether a flight may reach the box of a surface at all.
 
-    disjoint boxes. 62 operations: 12 additions, 11 subtractions, 14 multiplications, 3 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections.
+    disjoint boxes. 27 operations: 7 additions, 3 subtractions, 5 multiplications, 1 negation, 5 comparisons, 1 conjunction, 2 complements, 3 selections.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
-    _s0 = 1.0000000009313226 * (p_ball_radius * p_ball_radius)
-    _s1 = 0.5 * p_board_thickness
-    _s2 = -(p_board_distance + _s1)
-    _s3 = 1.0000000009313226 * _s1
-    _s4 = _subtract(_absolute(_subtract(_s2, middle_x, _r0), _r0), _add(reach_x, _s3, _r1), _r1)
-    _s5 = _select(_s4 < _k4, _k4, _s4, _r0)
-    _s6 = 1.0000000009313226 * p_board_half_width
-    _s7 = _subtract(_absolute(_negative(middle_y, _r2), _r2), _add(reach_y, _s6, _r3), _r3)
-    _s8 = _select(_s7 < _k4, _k4, _s7, _r2)
-    _s9 = 0.5 * p_board_bottom
-    _s10 = 0.5 * p_board_top
-    _s11 = _s9 + _s10
-    _s12 = 1.0000000009313226 * (_s10 - _s9)
-    _s13 = _subtract(_absolute(_subtract(_s11, middle_z, _r4), _r4), _add(reach_z, _s12, _r5), _r5)
-    _s14 = _select(_s13 < _k4, _k4, _s13, _r4)
-    _s15 = _subtract(_absolute(_subtract(_s2, later_middle_x, _r6), _r6), _add(later_reach_x, _s3, _r7), _r7)
-    _s16 = _select(_s15 < _k4, _k4, _s15, _r6)
-    _s17 = _subtract(_absolute(_negative(later_middle_y, _r8), _r8), _add(later_reach_y, _s6, _r9), _r9)
-    _s18 = _select(_s17 < _k4, _k4, _s17, _r8)
-    _s19 = _subtract(_absolute(_subtract(_s11, later_middle_z, _r10), _r10), _add(later_reach_z, _s12, _r11), _r11)
-    _s20 = _select(_s19 < _k4, _k4, _s19, _r10)
-    _s21 = _logical_not(_logical_and((_s0 < _add(_add(_multiply(_s5, _s5, _r0), _multiply(_s8, _s8, _r2), _r2), _multiply(_s14, _s14, _r4), _r4)), (_s0 < _add(_add(_multiply(_s16, _s16, _r6), _multiply(_s18, _s18, _r8), _r8), _multiply(_s20, _s20, _r10), _r10))))
-    return _s21,
+    _r0, _r1, _r2, _r3 = _room[:4]
+    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k52, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s1 = _select(pad < earliest_delay, _k5, _s0, _r0)
+    _s2 = _add(x, _multiply(vx, horizon, _r2), _r2)
+    _s3 = _logical_not((_s1 < _subtract(-((p_ball_radius + p_board_distance) + p_board_thickness), _select(x < _s2, _s2, x, _r3), _r3)))
+    return _logical_and(_logical_not((_s1 < _subtract(_select(_s2 < x, _s2, x, _r3), p_ball_radius - p_board_distance, _r3))), _s3),
+
+
+def backboard_approaches(leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, earliest_delay: Any, pad: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Whether a flight that comes near a surface may come to it.
+
+    a separating direction. 75 operations: 17 additions, 7 subtractions, 19 multiplications, 3 negations, 3 absolute values, 13 comparisons, 3 conjunctions, 2 disjunctions, 1 complement, 7 selections.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
+    _s0 = _add(p_board_distance, x, _r0)
+    _s1 = _negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1)
+    _s2 = _subtract(_select(_s0 < _k4, _k4, _s0, _r2), _select(_s1 < _k4, _k4, _s1, _r3), _r3)
+    _s3 = _subtract(y, p_board_half_width, _r1)
+    _s4 = _negative(_add(p_board_half_width, y, _r2), _r2)
+    _s5 = _subtract(_select(_s3 < _k4, _k4, _s3, _r0), _select(_s4 < _k4, _k4, _s4, _r4), _r4)
+    _s6 = _subtract(z, p_board_top, _r2)
+    _s7 = _subtract(p_board_bottom, z, _r0)
+    _s8 = _subtract(_select(_s6 < _k4, _k4, _s6, _r1), _select(_s7 < _k4, _k4, _s7, _r5), _r5)
+    _s9 = _add(_add(_absolute(_s2, _r0), _absolute(_s5, _r1), _r1), _absolute(_s8, _r0), _r0)
+    _s10 = _add(position_error, _multiply(_k52, _add(extent, _s9, _r1), _r1), _r1)
+    _s11 = _logical_and(_logical_or((_k19 <= leaving), (_add(p_ball_radius * p_ball_radius, _multiply(_k64, _multiply(_s10, _s9, _r2), _r2), _r2) < _add(_add(_multiply(_s2, _s2, _r6), _multiply(_s5, _s5, _r7), _r7), _multiply(_s8, _s8, _r6), _r6))), (earliest_delay <= pad))
+    _s12 = _multiply(_k64, _add(_multiply(velocity_error, _s9, _r0), _multiply(_s10, _add(velocity_error, _add(speed, _multiply(p_gravity, horizon, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s13 = _multiply(_multiply(_k45, horizon, _r0), _negative(_multiply(p_gravity, _s8, _r1), _r1), _r0)
+    _s14 = _add(_subtract(_add(_add(_multiply(vx, _s2, _r3), _multiply(vy, _s5, _r4), _r4), _multiply(vz, _s8, _r5), _r5), _s12, _r6), _select(_s13 < _k4, _s13, _k4, _r5), _r5) <= _k4
+    _s15 = _logical_or(_logical_not(_logical_and(_logical_and(_s11, (position_error <= _multiply(_k239, extent, _r5))), (velocity_error <= _multiply(_k239, speed, _r5)))), _s14)
+    return _s15,
 
 
 def backboard_beside(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5283,9 +5293,9 @@ def bridge_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any
 def bridge_near(middle_x: Any, middle_y: Any, middle_z: Any, reach_x: Any, reach_y: Any, reach_z: Any, later_middle_x: Any, later_middle_y: Any, later_middle_z: Any, later_reach_x: Any, later_reach_y: Any, later_reach_z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Whether a flight may reach the box of a surface at all.
 
-    disjoint boxes. 62 operations: 11 additions, 12 subtractions, 14 multiplications, 3 negations, 6 absolute values, 8 comparisons, 1 conjunction, 1 complement, 6 selections.
+    disjoint boxes. 63 operations: 11 additions, 12 subtractions, 14 multiplications, 3 negations, 6 absolute values, 8 comparisons, 1 disjunction, 2 complements, 6 selections.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
+    _r0, _r1, _r2, _r3, _r4, _r5 = _room[:6]
     _s0 = 1.0000000009313226 * (p_ball_radius * p_ball_radius)
     _s1 = 0.5 * p_ring_radius
     _s2 = 0.5 * p_board_distance
@@ -5301,14 +5311,41 @@ def bridge_near(middle_x: Any, middle_y: Any, middle_z: Any, reach_x: Any, reach
     _s12 = 1.0000000009313226 * _s10
     _s13 = _subtract(_absolute(_subtract(_s11, middle_z, _r4), _r4), _add(reach_z, _s12, _r5), _r5)
     _s14 = _select(_s13 < _k4, _k4, _s13, _r4)
-    _s15 = _subtract(_absolute(_subtract(_s3, later_middle_x, _r6), _r6), _add(later_reach_x, _s4, _r7), _r7)
-    _s16 = _select(_s15 < _k4, _k4, _s15, _r6)
-    _s17 = _subtract(_absolute(_negative(later_middle_y, _r8), _r8), _add(later_reach_y, _s7, _r9), _r9)
-    _s18 = _select(_s17 < _k4, _k4, _s17, _r8)
-    _s19 = _subtract(_absolute(_subtract(_s11, later_middle_z, _r10), _r10), _add(later_reach_z, _s12, _r11), _r11)
-    _s20 = _select(_s19 < _k4, _k4, _s19, _r10)
-    _s21 = _logical_not(_logical_and((_s0 < _add(_add(_multiply(_s6, _s6, _r0), _multiply(_s9, _s9, _r2), _r2), _multiply(_s14, _s14, _r4), _r4)), (_s0 < _add(_add(_multiply(_s16, _s16, _r6), _multiply(_s18, _s18, _r8), _r8), _multiply(_s20, _s20, _r10), _r10))))
-    return _s21,
+    _s15 = _logical_not((_s0 < _add(_add(_multiply(_s6, _s6, _r0), _multiply(_s9, _s9, _r2), _r2), _multiply(_s14, _s14, _r4), _r4)))
+    _s16 = _subtract(_absolute(_subtract(_s3, later_middle_x, _r4), _r4), _add(later_reach_x, _s4, _r2), _r2)
+    _s17 = _select(_s16 < _k4, _k4, _s16, _r4)
+    _s18 = _subtract(_absolute(_negative(later_middle_y, _r5), _r5), _add(later_reach_y, _s7, _r0), _r0)
+    _s19 = _select(_s18 < _k4, _k4, _s18, _r5)
+    _s20 = _subtract(_absolute(_subtract(_s11, later_middle_z, _r3), _r3), _add(later_reach_z, _s12, _r1), _r1)
+    _s21 = _select(_s20 < _k4, _k4, _s20, _r3)
+    _s22 = _logical_not((_s0 < _add(_add(_multiply(_s17, _s17, _r4), _multiply(_s19, _s19, _r5), _r5), _multiply(_s21, _s21, _r3), _r3)))
+    return _logical_or(_s15, _s22), _s15, _s22
+
+
+def bridge_approaches(leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, earliest_delay: Any, pad: Any, first_near: Any, later_near: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Whether a flight that comes near a surface may come to it.
+
+    a separating direction. 81 operations: 17 additions, 8 subtractions, 20 multiplications, 3 negations, 3 absolute values, 14 comparisons, 5 conjunctions, 3 disjunctions, 1 complement, 7 selections.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
+    _s0 = _add(p_ring_radius, x, _r0)
+    _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
+    _s2 = _subtract(_select(_s0 < _k4, _k4, _s0, _r2), _select(_s1 < _k4, _k4, _s1, _r3), _r3)
+    _s3 = _subtract(z, p_wire_radius, _r1)
+    _s4 = _subtract(p_wire_radius - p_bridge_depth, z, _r2)
+    _s5 = _subtract(_select(_s3 < _k4, _k4, _s3, _r0), _select(_s4 < _k4, _k4, _s4, _r4), _r4)
+    _s6 = _subtract(y, p_bridge_half_width, _r2)
+    _s7 = _negative(_add(p_bridge_half_width, y, _r0), _r0)
+    _s8 = _subtract(_select(_s6 < _k4, _k4, _s6, _r1), _select(_s7 < _k4, _k4, _s7, _r5), _r5)
+    _s9 = _add(_add(_absolute(_s2, _r0), _absolute(_s5, _r1), _r1), _absolute(_s8, _r0), _r0)
+    _s10 = _add(position_error, _multiply(_k52, _add(extent, _s9, _r1), _r1), _r1)
+    _s11 = _logical_and(_logical_or((_k19 <= leaving), (_add(p_ball_radius * p_ball_radius, _multiply(_k64, _multiply(_s10, _s9, _r2), _r2), _r2) < _add(_add(_multiply(_s2, _s2, _r6), _multiply(_s5, _s5, _r7), _r7), _multiply(_s8, _s8, _r6), _r6))), (earliest_delay <= pad))
+    _s12 = _multiply(_k64, _add(_multiply(velocity_error, _s9, _r0), _multiply(_s10, _add(velocity_error, _add(speed, _multiply(p_gravity, horizon, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s13 = _subtract(_add(_add(_multiply(vx, _s2, _r3), _multiply(vy, _s8, _r5), _r5), _multiply(vz, _s5, _r3), _r3), _s12, _r6)
+    _s14 = _multiply(_multiply(_k45, horizon, _r3), _negative(_multiply(p_gravity, _s5, _r4), _r4), _r3)
+    _s15 = _select(_s14 < _k4, _s14, _k4, _r4)
+    _s16 = _logical_or(_logical_not(_logical_and(_logical_and(_s11, (position_error <= _multiply(_k239, extent, _r5))), (velocity_error <= _multiply(_k239, speed, _r5)))), _logical_or(_logical_and(first_near, (_add(_s13, _multiply(_k45, _s15, _r5), _r5) <= _k4)), _logical_and(later_near, (_add(_s13, _s15, _r4) <= _k4))))
+    return _s16,
 
 
 def bridge_beside(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5633,7 +5670,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k240, _s0, _r1), _r1) + _multiply(_k229, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k14, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k241, _s0, _r1), _r1) + _multiply(_k229, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k14, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -8032,7 +8069,7 @@ def _bridge_margins_alone(horizon: Any, extent: Any, speed: Any, position_error:
     _s9 = ((_k232 * p_bridge_half_width) + _s7) + _s8
     _s10 = _k231 * _s4
     _s11 = (((_k30 * p_ring_radius) + (_k30 * p_board_distance)) + _s7) + _s8
-    _s12 = (((_k239 * p_wire_radius) + (_k35 * p_bridge_depth)) + (_k232 * _s6)) + _s8
+    _s12 = (((_k240 * p_wire_radius) + (_k35 * p_bridge_depth)) + (_k232 * _s6)) + _s8
     _s13 = ((((_k230 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k233 * horizon) * _s4) * _s5)
     _s14 = _k236 * _s5
     _s15 = ((((_k234 * _s4) * _s5) + ((_k235 * _s4) * (velocity_error + (_k232 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
@@ -9893,291 +9930,304 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _when_1, _which_1 = earliest(0.0, _time_1, _when_1, _which_1, _arrives_1)
         _when_0, _which_0 = _put(_rows1, shots, (_when_0, _which_0,), (_when_1, _which_1,))
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
-    _middle_x_0, _reach_x_0, _later_middle_x_0, _later_reach_x_0, _middle_y_0, _reach_y_0, _later_middle_y_0, _later_reach_y_0, _middle_z_0, _reach_z_0, _later_middle_z_0, _later_reach_z_0 = half_flight_boxes(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, 0.0, _pad_0, _p_gravity_0, _room_0)
-    _reachable_0, = backboard_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _later_middle_x_0, _later_middle_y_0, _later_middle_z_0, _later_reach_x_0, _later_reach_y_0, _later_reach_z_0, _p_ball_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _room_0)
-    _reachable_0, = reachable_in_flight(_reachable_0, _in_contact_0)
-    _rows27, _count28 = _rows(_reachable_0, shots)
-    if (0 < _count28) and (_count28 <= ALONE):
-        _when_0, _which_0 = _copies(shots, _when_0, _which_0)
-        _one_by_one(_alone5, _rows27, _rows27, (_extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_gravity_0, _speed_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_when_0, _which_0,))
-    elif _count28:
-        _extent_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _speed_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows27, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_gravity_0, _speed_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+    _reachable_0, = backboard_near(_until_0, _x_0, _vx_0, _extent_0, _speed_0, 0.0, 0.0, 0.0, _pad_0, _p_ball_radius_0, _p_board_distance_0, _p_board_thickness_0, _p_gravity_0, _room_0)
+    _rows27, _count28 = _most(_reachable_0, shots)
+    if _count28:
+        _extent_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _pad_1, _speed_1, _until_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1 = _taken(_rows27, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_gravity_0, _pad_0, _speed_0, _until_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count28)
+        _leaving_1, = left(1.0, _last_1)
+        _reachable_1, = backboard_approaches(_leaving_1, _until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, 0.0, 0.0, 0.0, _pad_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
+        _reachable_0, = _put(_rows27, shots, (_reachable_0,), (_reachable_1,), _reachable_0)
+    _reachable_0, = reachable_in_flight(_reachable_0, _in_contact_0)
+    _rows29, _count30 = _rows(_reachable_0, shots)
+    if (0 < _count30) and (_count30 <= ALONE):
+        _when_0, _which_0 = _copies(shots, _when_0, _which_0)
+        _one_by_one(_alone5, _rows29, _rows29, (_extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_gravity_0, _speed_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_when_0, _which_0,))
+    elif _count30:
+        _extent_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _speed_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows29, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_gravity_0, _speed_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count30)
         _until_1, *_ = horizon(_when_1, _speed_1, _p_gravity_1)
         _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, *_ = backboard_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, 0.0, 0.0, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
         _share_1, _arrival_1, _certain_1 = beginning()
         _position_level_1, _velocity_level_1, *_ = allowance(_share_1, _latest_1, _extent_1, _speed_1, 0.0, 0.0, _p_gravity_1, _room_1)
         _flat_1, _tilt_1, _rate_slack_1 = backboard_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
         _t_1, _end_1, _searching_1 = backboard_enter(0.0, 0.0, 0.0, _low0_1, _low1_1, _high0_1, _high1_1)
-        _rows29, _count30 = _rows(_searching_1, _count28)
-        if _count30:
-            _arrival_2, _ceiling_2, _certain_2, _end_2, _extent_2, _flat_2, _high0_2, _high1_2, _last_2, _latest_2, _low0_2, _low1_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _share_2, _speed_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows29, _arrival_1, _ceiling_1, _certain_1, _end_1, _extent_1, _flat_1, _high0_1, _high1_1, _last_1, _latest_1, _low0_1, _low1_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rate_slack_1, _share_1, _speed_1, _t_1, _tilt_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count30)
+        _rows31, _count32 = _rows(_searching_1, _count30)
+        if _count32:
+            _arrival_2, _ceiling_2, _certain_2, _end_2, _extent_2, _flat_2, _high0_2, _high1_2, _last_2, _latest_2, _low0_2, _low1_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _share_2, _speed_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows31, _arrival_1, _ceiling_1, _certain_1, _end_1, _extent_1, _flat_1, _high0_1, _high1_1, _last_1, _latest_1, _low0_1, _low1_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rate_slack_1, _share_1, _speed_1, _t_1, _tilt_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count32)
             _leaving_2, _margin_2 = nearby(_t_2, _flat_2, _tilt_2, 1.0, _last_2)
             _gap_2, _rate_2, _bend_2, _step_2, _next_2, _clearance_2 = backboard_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
             _hit_2, _sure_2, _needs_refinement_2 = gap_closes_or_stalls(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
-            _rows31, _count32 = _most(_needs_refinement_2, _count30)
-            if _count32:
-                _extent_3, _latest_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _share_3, _speed_3 = _taken(_rows31, _extent_2, _latest_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _share_2, _speed_2)
-                _room_3 = room(_count32)
+            _rows33, _count34 = _most(_needs_refinement_2, _count32)
+            if _count34:
+                _extent_3, _latest_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _share_3, _speed_3 = _taken(_rows33, _extent_2, _latest_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _share_2, _speed_2)
+                _room_3 = room(_count34)
                 _share_3, = smaller_budget(_share_3)
                 _position_level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3, _room_3)
                 _flat_3, _tilt_3, _rate_slack_3 = backboard_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _p_gravity_3, _room_3)
-                _flat_2, _rate_slack_2, _share_2, _tilt_2 = _put(_rows31, _count30, (_flat_2, _rate_slack_2, _share_2, _tilt_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3,), _needs_refinement_2)
+                _flat_2, _rate_slack_2, _share_2, _tilt_2 = _put(_rows33, _count32, (_flat_2, _rate_slack_2, _share_2, _tilt_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3,), _needs_refinement_2)
             _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_t_2, _end_2, _step_2, _next_2, _arrival_2, _hit_2, _sure_2, _needs_refinement_2, _certain_2)
             _t_3, _end_3, _searching_3 = backboard_enter(_t_2, _end_2, _end_2, _low0_2, _low1_2, _high0_2, _high1_2)
             _end_2, _searching_2, _t_2 = _choose(_exhausted_2, (_end_3, _searching_3, _t_3,), (_end_2, _searching_2, _t_2,))
-            _arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1 = _put(_rows29, _count28, (_arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1,), (_arrival_2, _certain_2, _end_2, _flat_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2,))
-        _rows33, _count34 = _rows(_searching_1, _count28)
-        if (0 < _count34) and (_count34 <= ALONE):
-            _arrival_1, _certain_1, _flat_1, _tilt_1 = _copies(_count28, _arrival_1, _certain_1, _flat_1, _tilt_1)
-            _one_by_one(_alone6, _rows33, _rows33, (_arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1, _extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _speed_1,), (), (_arrival_1, _certain_1, _flat_1, _tilt_1,), 201)
-        elif _count34:
-            _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows33, _arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _arrival_1, _certain_1, _flat_1, _tilt_1 = _copies(_count28, _arrival_1, _certain_1, _flat_1, _tilt_1)
-            for _turn35 in range(201):
-                _room_2 = room(_count34)
+            _arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1 = _put(_rows31, _count30, (_arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1,), (_arrival_2, _certain_2, _end_2, _flat_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2,))
+        _rows35, _count36 = _rows(_searching_1, _count30)
+        if (0 < _count36) and (_count36 <= ALONE):
+            _arrival_1, _certain_1, _flat_1, _tilt_1 = _copies(_count30, _arrival_1, _certain_1, _flat_1, _tilt_1)
+            _one_by_one(_alone6, _rows35, _rows35, (_arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1, _extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _speed_1,), (), (_arrival_1, _certain_1, _flat_1, _tilt_1,), 201)
+        elif _count36:
+            _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows35, _arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _arrival_1, _certain_1, _flat_1, _tilt_1 = _copies(_count30, _arrival_1, _certain_1, _flat_1, _tilt_1)
+            for _turn37 in range(201):
+                _room_2 = room(_count36)
                 _leaving_2, _margin_2 = nearby(_t_2, _flat_2, _tilt_2, 1.0, _last_2)
                 _gap_2, _rate_2, _bend_2, _step_2, _next_2, _clearance_2 = backboard_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
                 _hit_2, _sure_2, _needs_refinement_2 = gap_closes_or_stalls(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
-                _rows36, _count37 = _most(_needs_refinement_2, _count34)
-                if _count37:
-                    _far = _of(_rows33, _rows36)
+                _rows38, _count39 = _most(_needs_refinement_2, _count36)
+                if _count39:
+                    _far = _of(_rows35, _rows38)
                     _extent_3, _latest_3, _speed_3 = _taken(_far, _extent_1, _latest_1, _speed_1)
-                    _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _share_3 = _taken(_rows36, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _share_2)
-                    _room_3 = room(_count37)
+                    _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _share_3 = _taken(_rows38, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _share_2)
+                    _room_3 = room(_count39)
                     _share_3, = smaller_budget(_share_3)
                     _position_level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3, _room_3)
                     _flat_3, _tilt_3, _rate_slack_3 = backboard_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _p_gravity_3, _room_3)
-                    _flat_2, _rate_slack_2, _share_2, _tilt_2 = _put(_rows36, _count34, (_flat_2, _rate_slack_2, _share_2, _tilt_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3,), _needs_refinement_2)
+                    _flat_2, _rate_slack_2, _share_2, _tilt_2 = _put(_rows38, _count36, (_flat_2, _rate_slack_2, _share_2, _tilt_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3,), _needs_refinement_2)
                 _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_t_2, _end_2, _step_2, _next_2, _arrival_2, _hit_2, _sure_2, _needs_refinement_2, _certain_2)
-                _rows38, _count39 = _most(_exhausted_2, _count34)
-                if _count39:
-                    _far = _of(_rows33, _rows38)
+                _rows40, _count41 = _most(_exhausted_2, _count36)
+                if _count41:
+                    _far = _of(_rows35, _rows40)
                     _high0_3, _high1_3, _low0_3, _low1_3 = _taken(_far, _high0_1, _high1_1, _low0_1, _low1_1)
-                    _end_3, _t_3 = _taken(_rows38, _end_2, _t_2)
+                    _end_3, _t_3 = _taken(_rows40, _end_2, _t_2)
                     _t_3, _end_3, _searching_3 = backboard_enter(_t_3, _end_3, _end_3, _low0_3, _low1_3, _high0_3, _high1_3)
-                    _end_2, _searching_2, _t_2 = _put(_rows38, _count34, (_end_2, _searching_2, _t_2,), (_end_3, _searching_3, _t_3,), _exhausted_2)
-                _going40 = _where_true(_searching_2)
-                if len(_going40) == _count34:
+                    _end_2, _searching_2, _t_2 = _put(_rows40, _count36, (_end_2, _searching_2, _t_2,), (_end_3, _searching_3, _t_3,), _exhausted_2)
+                _going42 = _where_true(_searching_2)
+                if len(_going42) == _count36:
                     continue
                 _done = _where_true(_logical_not(_searching_2))
-                _store((_arrival_1, _certain_1, _flat_1, _tilt_1,), _of(_rows33, _done), (_arrival_2, _certain_2, _flat_2, _tilt_2,), _done)
-                _rows33 = _of(_rows33, _going40)
-                _count34 = len(_going40)
-                if _count34 == 0:
+                _store((_arrival_1, _certain_1, _flat_1, _tilt_1,), _of(_rows35, _done), (_arrival_2, _certain_2, _flat_2, _tilt_2,), _done)
+                _rows35 = _of(_rows35, _going42)
+                _count36 = len(_going42)
+                if _count36 == 0:
                     break
-                if _count34 <= ALONE:
-                    _one_by_one(_alone6, _rows33, _going40, (_arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (_extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _speed_1,), (_arrival_1, _certain_1, _flat_1, _tilt_1,), 200 - _turn35)
+                if _count36 <= ALONE:
+                    _one_by_one(_alone6, _rows35, _going42, (_arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (_extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _speed_1,), (_arrival_1, _certain_1, _flat_1, _tilt_1,), 200 - _turn37)
                     break
-                _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going40, _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going42, _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_arrival_1, _certain_1, _flat_1, _tilt_1,), _rows33, (_arrival_2, _certain_2, _flat_2, _tilt_2,), None)
+                _store((_arrival_1, _certain_1, _flat_1, _tilt_1,), _rows35, (_arrival_2, _certain_2, _flat_2, _tilt_2,), None)
         _arrives_1, _refining_1, *_ = found(_arrival_1)
         _leaving_1, *_ = nearby(_arrival_1, _flat_1, _tilt_1, 1.0, _last_1)
-        _rows41, _count42 = _most(_refining_1, _count28)
-        if _count42:
-            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows41, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count42)
-            _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
-            _arrival_1, _refining_1 = _put(_rows41, _count28, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
-        _rows43, _count44 = _most(_refining_1, _count28)
+        _rows43, _count44 = _most(_refining_1, _count30)
         if _count44:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows43, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count44)
             _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
             _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
-            _arrival_1, _refining_1 = _put(_rows43, _count28, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
-        _rows45, _count46 = _rows(_refining_1, _count28)
-        if (0 < _count46) and (_count46 <= ALONE):
-            _arrival_1, = _copies(_count28, _arrival_1)
-            _one_by_one(_alone7, _rows45, _rows45, (_arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _refining_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1,), 8)
-        elif _count46:
-            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows45, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _refining_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _arrival_1, = _copies(_count28, _arrival_1)
-            for _turn47 in range(8):
-                _room_2 = room(_count46)
+            _arrival_1, _refining_1 = _put(_rows43, _count30, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
+        _rows45, _count46 = _most(_refining_1, _count30)
+        if _count46:
+            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows45, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count46)
+            _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_1, _refining_1 = _put(_rows45, _count30, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
+        _rows47, _count48 = _rows(_refining_1, _count30)
+        if (0 < _count48) and (_count48 <= ALONE):
+            _arrival_1, = _copies(_count30, _arrival_1)
+            _one_by_one(_alone7, _rows47, _rows47, (_arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _refining_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1,), 8)
+        elif _count48:
+            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows47, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _refining_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _arrival_1, = _copies(_count30, _arrival_1)
+            for _turn49 in range(8):
+                _room_2 = room(_count48)
                 _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
                 _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
-                _going48 = _where_true(_refining_2)
-                if len(_going48) == _count46:
+                _going50 = _where_true(_refining_2)
+                if len(_going50) == _count48:
                     continue
                 _done = _where_true(_logical_not(_refining_2))
-                _store((_arrival_1,), _of(_rows45, _done), (_arrival_2,), _done)
-                _rows45 = _of(_rows45, _going48)
-                _count46 = len(_going48)
-                if _count46 == 0:
+                _store((_arrival_1,), _of(_rows47, _done), (_arrival_2,), _done)
+                _rows47 = _of(_rows47, _going50)
+                _count48 = len(_going50)
+                if _count48 == 0:
                     break
-                if _count46 <= ALONE:
-                    _one_by_one(_alone7, _rows45, _going48, (_arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (), (_arrival_1,), 7 - _turn47)
+                if _count48 <= ALONE:
+                    _one_by_one(_alone7, _rows47, _going50, (_arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (), (_arrival_1,), 7 - _turn49)
                     break
-                _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going48, _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going50, _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_arrival_1,), _rows45, (_arrival_2,), None)
+                _store((_arrival_1,), _rows47, (_arrival_2,), None)
         _time_1, = arrival_time(_arrival_1)
         _when_1, _which_1 = earliest(1.0, _time_1, _when_1, _which_1, _arrives_1)
-        _when_0, _which_0 = _put(_rows27, shots, (_when_0, _which_0,), (_when_1, _which_1,))
+        _when_0, _which_0 = _put(_rows29, shots, (_when_0, _which_0,), (_when_1, _which_1,))
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
     _middle_x_0, _reach_x_0, _later_middle_x_0, _later_reach_x_0, _middle_y_0, _reach_y_0, _later_middle_y_0, _later_reach_y_0, _middle_z_0, _reach_z_0, _later_middle_z_0, _later_reach_z_0 = half_flight_boxes(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, 0.0, _pad_0, _p_gravity_0, _room_0)
-    _reachable_0, = bridge_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _later_middle_x_0, _later_middle_y_0, _later_middle_z_0, _later_reach_x_0, _later_reach_y_0, _later_reach_z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_bridge_depth_0, _room_0)
+    _reachable_0, _first_near_0, _later_near_0 = bridge_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _later_middle_x_0, _later_middle_y_0, _later_middle_z_0, _later_reach_x_0, _later_reach_y_0, _later_reach_z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_bridge_depth_0, _room_0)
+    _rows51, _count52 = _most(_reachable_0, shots)
+    if _count52:
+        _extent_1, _first_near_1, _last_1, _later_near_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _pad_1, _speed_1, _until_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1 = _taken(_rows51, _extent_0, _first_near_0, _last_0, _later_near_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _pad_0, _speed_0, _until_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count52)
+        _leaving_1, = left(2.0, _last_1)
+        _reachable_1, = bridge_approaches(_leaving_1, _until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, 0.0, 0.0, 0.0, _pad_1, _first_near_1, _later_near_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
+        _reachable_0, = _put(_rows51, shots, (_reachable_0,), (_reachable_1,), _reachable_0)
     _reachable_0, = reachable_in_flight(_reachable_0, _in_contact_0)
-    _rows49, _count50 = _rows(_reachable_0, shots)
-    if (0 < _count50) and (_count50 <= ALONE):
+    _rows53, _count54 = _rows(_reachable_0, shots)
+    if (0 < _count54) and (_count54 <= ALONE):
         _when_0, _which_0 = _copies(shots, _when_0, _which_0)
-        _one_by_one(_alone8, _rows49, _rows49, (_extent_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _speed_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_when_0, _which_0,))
-    elif _count50:
-        _extent_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _speed_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows49, _extent_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _speed_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
-        _room_1 = room(_count50)
+        _one_by_one(_alone8, _rows53, _rows53, (_extent_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _speed_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_when_0, _which_0,))
+    elif _count54:
+        _extent_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _speed_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows53, _extent_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _speed_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count54)
         _until_1, *_ = horizon(_when_1, _speed_1, _p_gravity_1)
         _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, *_ = bridge_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, 0.0, 0.0, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
         _share_1, _arrival_1, _certain_1 = beginning()
         _position_level_1, _velocity_level_1, *_ = allowance(_share_1, _latest_1, _extent_1, _speed_1, 0.0, 0.0, _p_gravity_1, _room_1)
         _flat_1, _tilt_1, _rate_slack_1 = bridge_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
         _t_1, _end_1, _searching_1 = bridge_enter(0.0, 0.0, 0.0, _low0_1, _low1_1, _high0_1, _high1_1)
-        _rows51, _count52 = _rows(_searching_1, _count50)
-        if _count52:
-            _arrival_2, _ceiling_2, _certain_2, _end_2, _extent_2, _flat_2, _high0_2, _high1_2, _last_2, _latest_2, _low0_2, _low1_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _share_2, _speed_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows51, _arrival_1, _ceiling_1, _certain_1, _end_1, _extent_1, _flat_1, _high0_1, _high1_1, _last_1, _latest_1, _low0_1, _low1_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_slack_1, _share_1, _speed_1, _t_1, _tilt_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count52)
+        _rows55, _count56 = _rows(_searching_1, _count54)
+        if _count56:
+            _arrival_2, _ceiling_2, _certain_2, _end_2, _extent_2, _flat_2, _high0_2, _high1_2, _last_2, _latest_2, _low0_2, _low1_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _share_2, _speed_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows55, _arrival_1, _ceiling_1, _certain_1, _end_1, _extent_1, _flat_1, _high0_1, _high1_1, _last_1, _latest_1, _low0_1, _low1_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_slack_1, _share_1, _speed_1, _t_1, _tilt_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count56)
             _leaving_2, _margin_2 = nearby(_t_2, _flat_2, _tilt_2, 2.0, _last_2)
             _gap_2, _rate_2, _bend_2, _step_2, _next_2, _clearance_2 = bridge_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
             _hit_2, _sure_2, _needs_refinement_2 = gap_closes_or_stalls(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
-            _rows53, _count54 = _most(_needs_refinement_2, _count52)
-            if _count54:
-                _extent_3, _latest_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3, _speed_3 = _taken(_rows53, _extent_2, _latest_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _share_2, _speed_2)
-                _room_3 = room(_count54)
+            _rows57, _count58 = _most(_needs_refinement_2, _count56)
+            if _count58:
+                _extent_3, _latest_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3, _speed_3 = _taken(_rows57, _extent_2, _latest_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _share_2, _speed_2)
+                _room_3 = room(_count58)
                 _share_3, = smaller_budget(_share_3)
                 _position_level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3, _room_3)
                 _flat_3, _tilt_3, _rate_slack_3 = bridge_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _p_gravity_3, _room_3)
-                _flat_2, _rate_slack_2, _share_2, _tilt_2 = _put(_rows53, _count52, (_flat_2, _rate_slack_2, _share_2, _tilt_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3,), _needs_refinement_2)
+                _flat_2, _rate_slack_2, _share_2, _tilt_2 = _put(_rows57, _count56, (_flat_2, _rate_slack_2, _share_2, _tilt_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3,), _needs_refinement_2)
             _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_t_2, _end_2, _step_2, _next_2, _arrival_2, _hit_2, _sure_2, _needs_refinement_2, _certain_2)
             _t_3, _end_3, _searching_3 = bridge_enter(_t_2, _end_2, _end_2, _low0_2, _low1_2, _high0_2, _high1_2)
             _end_2, _searching_2, _t_2 = _choose(_exhausted_2, (_end_3, _searching_3, _t_3,), (_end_2, _searching_2, _t_2,))
-            _arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1 = _put(_rows51, _count50, (_arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1,), (_arrival_2, _certain_2, _end_2, _flat_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2,))
-        _rows55, _count56 = _rows(_searching_1, _count50)
-        if (0 < _count56) and (_count56 <= ALONE):
-            _arrival_1, _certain_1, _flat_1, _tilt_1 = _copies(_count50, _arrival_1, _certain_1, _flat_1, _tilt_1)
-            _one_by_one(_alone9, _rows55, _rows55, (_arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1, _extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _speed_1,), (), (_arrival_1, _certain_1, _flat_1, _tilt_1,), 201)
-        elif _count56:
-            _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows55, _arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _arrival_1, _certain_1, _flat_1, _tilt_1 = _copies(_count50, _arrival_1, _certain_1, _flat_1, _tilt_1)
-            for _turn57 in range(201):
-                _room_2 = room(_count56)
+            _arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1 = _put(_rows55, _count54, (_arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1,), (_arrival_2, _certain_2, _end_2, _flat_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2,))
+        _rows59, _count60 = _rows(_searching_1, _count54)
+        if (0 < _count60) and (_count60 <= ALONE):
+            _arrival_1, _certain_1, _flat_1, _tilt_1 = _copies(_count54, _arrival_1, _certain_1, _flat_1, _tilt_1)
+            _one_by_one(_alone9, _rows59, _rows59, (_arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1, _extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _speed_1,), (), (_arrival_1, _certain_1, _flat_1, _tilt_1,), 201)
+        elif _count60:
+            _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows59, _arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _arrival_1, _certain_1, _flat_1, _tilt_1 = _copies(_count54, _arrival_1, _certain_1, _flat_1, _tilt_1)
+            for _turn61 in range(201):
+                _room_2 = room(_count60)
                 _leaving_2, _margin_2 = nearby(_t_2, _flat_2, _tilt_2, 2.0, _last_2)
                 _gap_2, _rate_2, _bend_2, _step_2, _next_2, _clearance_2 = bridge_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
                 _hit_2, _sure_2, _needs_refinement_2 = gap_closes_or_stalls(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
-                _rows58, _count59 = _most(_needs_refinement_2, _count56)
-                if _count59:
-                    _far = _of(_rows55, _rows58)
+                _rows62, _count63 = _most(_needs_refinement_2, _count60)
+                if _count63:
+                    _far = _of(_rows59, _rows62)
                     _extent_3, _latest_3, _speed_3 = _taken(_far, _extent_1, _latest_1, _speed_1)
-                    _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3 = _taken(_rows58, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _share_2)
-                    _room_3 = room(_count59)
+                    _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3 = _taken(_rows62, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _share_2)
+                    _room_3 = room(_count63)
                     _share_3, = smaller_budget(_share_3)
                     _position_level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3, _room_3)
                     _flat_3, _tilt_3, _rate_slack_3 = bridge_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _p_gravity_3, _room_3)
-                    _flat_2, _rate_slack_2, _share_2, _tilt_2 = _put(_rows58, _count56, (_flat_2, _rate_slack_2, _share_2, _tilt_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3,), _needs_refinement_2)
+                    _flat_2, _rate_slack_2, _share_2, _tilt_2 = _put(_rows62, _count60, (_flat_2, _rate_slack_2, _share_2, _tilt_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3,), _needs_refinement_2)
                 _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_t_2, _end_2, _step_2, _next_2, _arrival_2, _hit_2, _sure_2, _needs_refinement_2, _certain_2)
-                _rows60, _count61 = _most(_exhausted_2, _count56)
-                if _count61:
-                    _far = _of(_rows55, _rows60)
+                _rows64, _count65 = _most(_exhausted_2, _count60)
+                if _count65:
+                    _far = _of(_rows59, _rows64)
                     _high0_3, _high1_3, _low0_3, _low1_3 = _taken(_far, _high0_1, _high1_1, _low0_1, _low1_1)
-                    _end_3, _t_3 = _taken(_rows60, _end_2, _t_2)
+                    _end_3, _t_3 = _taken(_rows64, _end_2, _t_2)
                     _t_3, _end_3, _searching_3 = bridge_enter(_t_3, _end_3, _end_3, _low0_3, _low1_3, _high0_3, _high1_3)
-                    _end_2, _searching_2, _t_2 = _put(_rows60, _count56, (_end_2, _searching_2, _t_2,), (_end_3, _searching_3, _t_3,), _exhausted_2)
-                _going62 = _where_true(_searching_2)
-                if len(_going62) == _count56:
+                    _end_2, _searching_2, _t_2 = _put(_rows64, _count60, (_end_2, _searching_2, _t_2,), (_end_3, _searching_3, _t_3,), _exhausted_2)
+                _going66 = _where_true(_searching_2)
+                if len(_going66) == _count60:
                     continue
                 _done = _where_true(_logical_not(_searching_2))
-                _store((_arrival_1, _certain_1, _flat_1, _tilt_1,), _of(_rows55, _done), (_arrival_2, _certain_2, _flat_2, _tilt_2,), _done)
-                _rows55 = _of(_rows55, _going62)
-                _count56 = len(_going62)
-                if _count56 == 0:
+                _store((_arrival_1, _certain_1, _flat_1, _tilt_1,), _of(_rows59, _done), (_arrival_2, _certain_2, _flat_2, _tilt_2,), _done)
+                _rows59 = _of(_rows59, _going66)
+                _count60 = len(_going66)
+                if _count60 == 0:
                     break
-                if _count56 <= ALONE:
-                    _one_by_one(_alone9, _rows55, _going62, (_arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (_extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _speed_1,), (_arrival_1, _certain_1, _flat_1, _tilt_1,), 200 - _turn57)
+                if _count60 <= ALONE:
+                    _one_by_one(_alone9, _rows59, _going66, (_arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (_extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _speed_1,), (_arrival_1, _certain_1, _flat_1, _tilt_1,), 200 - _turn61)
                     break
-                _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going62, _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going66, _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_arrival_1, _certain_1, _flat_1, _tilt_1,), _rows55, (_arrival_2, _certain_2, _flat_2, _tilt_2,), None)
+                _store((_arrival_1, _certain_1, _flat_1, _tilt_1,), _rows59, (_arrival_2, _certain_2, _flat_2, _tilt_2,), None)
         _arrives_1, _refining_1, *_ = found(_arrival_1)
         _leaving_1, *_ = nearby(_arrival_1, _flat_1, _tilt_1, 2.0, _last_1)
-        _rows63, _count64 = _most(_refining_1, _count50)
-        if _count64:
-            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows63, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count64)
+        _rows67, _count68 = _most(_refining_1, _count54)
+        if _count68:
+            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows67, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count68)
             _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
             _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
-            _arrival_1, _refining_1 = _put(_rows63, _count50, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
-        _rows65, _count66 = _most(_refining_1, _count50)
-        if _count66:
-            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows65, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count66)
+            _arrival_1, _refining_1 = _put(_rows67, _count54, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
+        _rows69, _count70 = _most(_refining_1, _count54)
+        if _count70:
+            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows69, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count70)
             _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
             _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
-            _arrival_1, _refining_1 = _put(_rows65, _count50, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
-        _rows67, _count68 = _rows(_refining_1, _count50)
-        if (0 < _count68) and (_count68 <= ALONE):
-            _arrival_1, = _copies(_count50, _arrival_1)
-            _one_by_one(_alone10, _rows67, _rows67, (_arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _refining_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1,), 8)
-        elif _count68:
-            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows67, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _refining_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _arrival_1, = _copies(_count50, _arrival_1)
-            for _turn69 in range(8):
-                _room_2 = room(_count68)
+            _arrival_1, _refining_1 = _put(_rows69, _count54, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
+        _rows71, _count72 = _rows(_refining_1, _count54)
+        if (0 < _count72) and (_count72 <= ALONE):
+            _arrival_1, = _copies(_count54, _arrival_1)
+            _one_by_one(_alone10, _rows71, _rows71, (_arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _refining_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1,), 8)
+        elif _count72:
+            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows71, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _refining_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _arrival_1, = _copies(_count54, _arrival_1)
+            for _turn73 in range(8):
+                _room_2 = room(_count72)
                 _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
                 _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
-                _going70 = _where_true(_refining_2)
-                if len(_going70) == _count68:
+                _going74 = _where_true(_refining_2)
+                if len(_going74) == _count72:
                     continue
                 _done = _where_true(_logical_not(_refining_2))
-                _store((_arrival_1,), _of(_rows67, _done), (_arrival_2,), _done)
-                _rows67 = _of(_rows67, _going70)
-                _count68 = len(_going70)
-                if _count68 == 0:
+                _store((_arrival_1,), _of(_rows71, _done), (_arrival_2,), _done)
+                _rows71 = _of(_rows71, _going74)
+                _count72 = len(_going74)
+                if _count72 == 0:
                     break
-                if _count68 <= ALONE:
-                    _one_by_one(_alone10, _rows67, _going70, (_arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (), (_arrival_1,), 7 - _turn69)
+                if _count72 <= ALONE:
+                    _one_by_one(_alone10, _rows71, _going74, (_arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (), (_arrival_1,), 7 - _turn73)
                     break
-                _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going70, _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going74, _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_arrival_1,), _rows67, (_arrival_2,), None)
+                _store((_arrival_1,), _rows71, (_arrival_2,), None)
         _time_1, = arrival_time(_arrival_1)
         _when_1, _which_1 = earliest(2.0, _time_1, _when_1, _which_1, _arrives_1)
-        _when_0, _which_0 = _put(_rows49, shots, (_when_0, _which_0,), (_when_1, _which_1,))
-    _rows71, _count72 = _most(_limited_0, shots)
-    if _count72:
-        _clock_1, _time_error_1, _time_limit_1, _when_1, _which_1 = _taken(_rows71, _clock_0, _time_error_0, _time_limit_0, _when_0, _which_0)
+        _when_0, _which_0 = _put(_rows53, shots, (_when_0, _which_0,), (_when_1, _which_1,))
+    _rows75, _count76 = _most(_limited_0, shots)
+    if _count76:
+        _clock_1, _time_error_1, _time_limit_1, _when_1, _which_1 = _taken(_rows75, _clock_0, _time_error_0, _time_limit_0, _when_0, _which_0)
         _time_1, _, _arrives_1, *_ = expiry(_when_1, _which_1, 0.0, _inf, _time_error_1, _clock_1, _time_limit_1)
         _when_1, _which_1 = earliest(4.0, _time_1, _when_1, _which_1, _arrives_1)
-        _when_0, _which_0 = _put(_rows71, shots, (_when_0, _which_0,), (_when_1, _which_1,), _limited_0)
-    _rows73, _count74 = _rows(_in_contact_0, shots)
-    if (0 < _count74) and (_count74 <= ALONE):
+        _when_0, _which_0 = _put(_rows75, shots, (_when_0, _which_0,), (_when_1, _which_1,), _limited_0)
+    _rows77, _count78 = _rows(_in_contact_0, shots)
+    if (0 < _count78) and (_count78 <= ALONE):
         _began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _copies(shots, _began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
-        _one_by_one(_alone11, _rows73, _rows73, (_circled_0, _clock_0, _held_0, _last_0, _mode_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_radius_0, _p_wire_radius_0, _rests_0, _through_0, _time_limit_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (), (_began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,))
-    elif _count74:
-        _circled_1, _clock_1, _held_1, _last_1, _mode_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rests_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _when_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows73, _circled_0, _clock_0, _held_0, _last_0, _mode_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_radius_0, _p_wire_radius_0, _rests_0, _through_0, _time_limit_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
+        _one_by_one(_alone11, _rows77, _rows77, (_circled_0, _clock_0, _held_0, _last_0, _mode_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_radius_0, _p_wire_radius_0, _rests_0, _through_0, _time_limit_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (), (_began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,))
+    elif _count78:
+        _circled_1, _clock_1, _held_1, _last_1, _mode_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rests_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _when_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows77, _circled_0, _clock_0, _held_0, _last_0, _mode_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_radius_0, _p_wire_radius_0, _rests_0, _through_0, _time_limit_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
         _which_1, _, _began_1, _, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _gap_jerk_1, _gap_snap_1, _per_reach_1 = resumed(_last_1, 0.0, 0.0, _clock_1, _mode_1)
-        _rows75, _count76 = _rows(_begins_1, _count74)
-        if _count76:
-            _gap_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows75, _gap_1, _held_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count76)
+        _rows79, _count80 = _rows(_begins_1, _count78)
+        if _count80:
+            _gap_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows79, _gap_1, _held_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count80)
             _here_2, = holding(0.0, _held_2)
             _nx_3, _ny_3, _nz_3 = ring_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _room_2)
             _nx_2, _ny_2, _nz_2 = _choose(_here_2, (_nx_3, _ny_3, _nz_3,), (_nx_2, _ny_2, _nz_2,))
             _here_2, = holding(1.0, _held_2)
-            _rows77, _count78 = _most(_here_2, _count76)
-            if _count78:
-                _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3 = _taken(_rows77, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count78)
+            _rows81, _count82 = _most(_here_2, _count80)
+            if _count82:
+                _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3 = _taken(_rows81, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count82)
                 _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                _nx_2, _ny_2, _nz_2 = _put(_rows77, _count76, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
+                _nx_2, _ny_2, _nz_2 = _put(_rows81, _count80, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
             _here_2, = holding(2.0, _held_2)
-            _rows79, _count80 = _most(_here_2, _count76)
-            if _count80:
-                _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3 = _taken(_rows79, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count80)
+            _rows83, _count84 = _most(_here_2, _count80)
+            if _count84:
+                _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3 = _taken(_rows83, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count84)
                 _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                _nx_2, _ny_2, _nz_2 = _put(_rows79, _count76, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
+                _nx_2, _ny_2, _nz_2 = _put(_rows83, _count80, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
             _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2)
             _rolled_x_2, _rolled_y_2, _rolled_z_2, *_ = gripped(_p_ball_radius_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _room_2)
             _here_2, = holding(0.0, _held_2)
@@ -10191,37 +10241,37 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _gap_2, = _choose(_here_2, (_gap_3,), (_gap_2,))
             _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _gap_2, _turn_rate_2, _room_2)
             _which_2, _circled_2 = beginning_contact()
-            _circled_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _put(_rows75, _count74, (_circled_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (_circled_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,))
+            _circled_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _put(_rows79, _count78, (_circled_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (_circled_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,))
         _circling_1, _rolling_1 = circles(0.0, _held_1, _rolling_1)
-        _rows81, _count82 = _rows(_rolling_1, _count74)
-        if (0 < _count82) and (_count82 <= ALONE):
-            _clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _one_by_one(_alone12, _rows81, _rows81, (_bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _held_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (), (_clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
-        elif _count82:
-            _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows81, _bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _held_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _rolling_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            for _turn83 in range(16):
-                _room_2 = room(_count82)
+        _rows85, _count86 = _rows(_rolling_1, _count78)
+        if (0 < _count86) and (_count86 <= ALONE):
+            _clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count78, _clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _one_by_one(_alone12, _rows85, _rows85, (_bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _held_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (), (_clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
+        elif _count86:
+            _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows85, _bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _held_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _rolling_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count78, _clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            for _turn87 in range(16):
+                _room_2 = room(_count86)
                 _here_2, = holding(1.0, _held_2)
-                _rows84, _count85 = _most(_here_2, _count82)
-                if _count85:
-                    _far = _of(_rows81, _rows84)
+                _rows88, _count89 = _most(_here_2, _count86)
+                if _count89:
+                    _far = _of(_rows85, _rows88)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _p_ball_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows84, _p_ball_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count85)
+                    _p_ball_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows88, _p_ball_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count89)
                     _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
                     _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3 = backboard_rolling_surface(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2 = _put(_rows84, _count82, (_bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2,), (_bent_x_3, _bent_y_3, _bent_z_3, _nx_3, _ny_3, _nz_3, _per_reach_3,), _here_2)
+                    _bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2 = _put(_rows88, _count86, (_bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2,), (_bent_x_3, _bent_y_3, _bent_z_3, _nx_3, _ny_3, _nz_3, _per_reach_3,), _here_2)
                 _here_2, = holding(2.0, _held_2)
-                _rows86, _count87 = _most(_here_2, _count82)
-                if _count87:
-                    _far = _of(_rows81, _rows86)
+                _rows90, _count91 = _most(_here_2, _count86)
+                if _count91:
+                    _far = _of(_rows85, _rows90)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows86, _p_ball_radius_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count87)
+                    _p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows90, _p_ball_radius_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count91)
                     _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                     _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3 = bridge_rolling_surface(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2 = _put(_rows86, _count82, (_bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2,), (_bent_x_3, _bent_y_3, _bent_z_3, _nx_3, _ny_3, _nz_3, _per_reach_3,), _here_2)
+                    _bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2 = _put(_rows90, _count86, (_bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2,), (_bent_x_3, _bent_y_3, _bent_z_3, _nx_3, _ny_3, _nz_3, _per_reach_3,), _here_2)
                 _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2 = roll_start(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2)
                 _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2 = roll_0(_p_gravity_2, _p_inertia_2, _nx_0_2, _ny_0_2, _nz_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _bent_x_2, _bent_y_2, _bent_z_2, _per_reach_2, _turn_rate_0_2, _room_2)
                 _lift_1_2, _tx_1_2, _ty_1_2, _tz_1_2, _vx_2_2, _vy_2_2, _vz_2_2, _nx_2_2, _ny_2_2, _nz_2_2, _turn_rate_2_2 = roll_1(_p_gravity_2, _p_inertia_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _vx_0_2, _vx_1_2, _vy_0_2, _vy_1_2, _vz_0_2, _vz_1_2, _bent_x_2, _bent_y_2, _bent_z_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _room_2)
@@ -10234,44 +10284,44 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _stride_2, _, _strongest_2, _fastest_2, _force_2, _force_rate_2, _force_bend_2, _friction_force_rate_2 = roll_step(_p_gravity_2, _p_inertia_2, _nx_8_2, _ny_8_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _nz_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _lift_7_2, _room_2)
                 _stride_2, _which_2, _rests_2, *_ = leaving_force(_p_ball_radius_2, _p_gravity_2, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _inf, 0.0, 0.0, _per_reach_2, _force_2, _force_rate_2, _force_bend_2, _friction_force_rate_2, _stride_2, _fastest_2, _room_2)
                 _beside_2, = beside(0.0, _held_2)
-                _rows88, _count89 = _most(_beside_2, _count82)
-                if _count89:
-                    _far = _of(_rows81, _rows88)
-                    _p_wire_radius_3, = _taken(_far, _p_wire_radius_1)
-                    _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows88, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count89)
-                    _gap_3, _nearing_3, _gap_curvature_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 0.0, _which_3, 0.0, _inf, 0.0, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _stride_2, _which_2 = _put(_rows88, _count82, (_stride_2, _which_2,), (_stride_3, _which_3,), _beside_2)
-                _beside_2, = beside(1.0, _held_2)
-                _rows90, _count91 = _most(_beside_2, _count82)
-                if _count91:
-                    _far = _of(_rows81, _rows90)
-                    _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _fastest_3, _p_ball_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows90, _fastest_2, _p_ball_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count91)
-                    _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 1.0, _which_3, 0.0, _inf, 0.0, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _stride_2, _which_2 = _put(_rows90, _count82, (_stride_2, _which_2,), (_stride_3, _which_3,), _beside_2)
-                _beside_2, = beside(2.0, _held_2)
-                _rows92, _count93 = _most(_beside_2, _count82)
+                _rows92, _count93 = _most(_beside_2, _count86)
                 if _count93:
-                    _far = _of(_rows81, _rows92)
-                    _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
+                    _far = _of(_rows85, _rows92)
+                    _p_wire_radius_3, = _taken(_far, _p_wire_radius_1)
                     _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows92, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
                     _room_3 = room(_count93)
+                    _gap_3, _nearing_3, _gap_curvature_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
+                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 0.0, _which_3, 0.0, _inf, 0.0, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
+                    _stride_2, _which_2 = _put(_rows92, _count86, (_stride_2, _which_2,), (_stride_3, _which_3,), _beside_2)
+                _beside_2, = beside(1.0, _held_2)
+                _rows94, _count95 = _most(_beside_2, _count86)
+                if _count95:
+                    _far = _of(_rows85, _rows94)
+                    _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
+                    _fastest_3, _p_ball_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows94, _fastest_2, _p_ball_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count95)
+                    _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
+                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 1.0, _which_3, 0.0, _inf, 0.0, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
+                    _stride_2, _which_2 = _put(_rows94, _count86, (_stride_2, _which_2,), (_stride_3, _which_3,), _beside_2)
+                _beside_2, = beside(2.0, _held_2)
+                _rows96, _count97 = _most(_beside_2, _count86)
+                if _count97:
+                    _far = _of(_rows85, _rows96)
+                    _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
+                    _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows96, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count97)
                     _gap_3, _nearing_3, _gap_curvature_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
                     _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 2.0, _which_3, 0.0, _inf, 0.0, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _stride_2, _which_2 = _put(_rows92, _count82, (_stride_2, _which_2,), (_stride_3, _which_3,), _beside_2)
+                    _stride_2, _which_2 = _put(_rows96, _count86, (_stride_2, _which_2,), (_stride_3, _which_3,), _beside_2)
                 _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
                 _stride_2, _which_2, *_ = beside_end_plane(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 3.0, _which_2, 0.0, _inf, 0.0, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
                 _here_2, = holding(1.0, _held_2)
-                _rows94, _count95 = _most(_here_2, _count82)
-                if _count95:
-                    _far = _of(_rows81, _rows94)
+                _rows98, _count99 = _most(_here_2, _count86)
+                if _count99:
+                    _far = _of(_rows85, _rows98)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _fastest_3, _p_ball_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows94, _fastest_2, _p_ball_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count95)
+                    _fastest_3, _p_ball_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows98, _fastest_2, _p_ball_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count99)
                     _gap_3, _nearing_3, _near_3 = backboard_seam0(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _x_3, _vx_3)
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = backboard_seam1(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _x_3, _vx_3)
@@ -10284,14 +10334,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = backboard_seam5(_p_ball_radius_3, _p_board_bottom_3, _p_board_top_3, _z_3, _vz_3)
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _gap_2, _stride_2 = _put(_rows94, _count82, (_gap_2, _stride_2,), (_gap_3, _stride_3,), _here_2)
+                    _gap_2, _stride_2 = _put(_rows98, _count86, (_gap_2, _stride_2,), (_gap_3, _stride_3,), _here_2)
                 _here_2, = holding(2.0, _held_2)
-                _rows96, _count97 = _most(_here_2, _count82)
-                if _count97:
-                    _far = _of(_rows81, _rows96)
+                _rows100, _count101 = _most(_here_2, _count86)
+                if _count101:
+                    _far = _of(_rows85, _rows100)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows96, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count97)
+                    _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows100, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count101)
                     _gap_3, _nearing_3, _near_3 = bridge_seam0(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _x_3, _vx_3)
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = bridge_seam1(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _x_3, _vx_3)
@@ -10304,57 +10354,57 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = bridge_seam5(_p_ball_radius_3, _p_bridge_depth_3, _p_wire_radius_3, _z_3, _vz_3)
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _gap_2, _stride_2 = _put(_rows96, _count82, (_gap_2, _stride_2,), (_gap_3, _stride_3,), _here_2)
+                    _gap_2, _stride_2 = _put(_rows100, _count86, (_gap_2, _stride_2,), (_gap_3, _stride_3,), _here_2)
                 _stride_2, _which_2 = beside_time(_which_2, _clock_2, _time_limit_2, _stride_2)
                 _over_2, = passing_from(_z_2)
                 _x_2, _vx_2, _y_2, _vy_2, _z_2, _vz_2, _turn_rate_2 = roll_moved(_x_2, _y_2, _z_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _room_2)
                 _here_2, = holding(1.0, _held_2)
-                _rows98, _count99 = _most(_here_2, _count82)
-                if _count99:
-                    _far = _of(_rows81, _rows98)
+                _rows102, _count103 = _most(_here_2, _count86)
+                if _count103:
+                    _far = _of(_rows85, _rows102)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _p_ball_radius_3, _x_3, _y_3, _z_3 = _taken(_rows98, _p_ball_radius_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count99)
+                    _p_ball_radius_3, _x_3, _y_3, _z_3 = _taken(_rows102, _p_ball_radius_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count103)
                     _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
                     _gap_3, = backboard_distance(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _room_3)
-                    _gap_2, _nx_2, _ny_2, _nz_2 = _put(_rows98, _count82, (_gap_2, _nx_2, _ny_2, _nz_2,), (_gap_3, _nx_3, _ny_3, _nz_3,), _here_2)
+                    _gap_2, _nx_2, _ny_2, _nz_2 = _put(_rows102, _count86, (_gap_2, _nx_2, _ny_2, _nz_2,), (_gap_3, _nx_3, _ny_3, _nz_3,), _here_2)
                 _here_2, = holding(2.0, _held_2)
-                _rows100, _count101 = _most(_here_2, _count82)
-                if _count101:
-                    _far = _of(_rows81, _rows100)
+                _rows104, _count105 = _most(_here_2, _count86)
+                if _count105:
+                    _far = _of(_rows85, _rows104)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _p_ball_radius_3, _p_ring_radius_3, _x_3, _y_3, _z_3 = _taken(_rows100, _p_ball_radius_2, _p_ring_radius_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count101)
+                    _p_ball_radius_3, _p_ring_radius_3, _x_3, _y_3, _z_3 = _taken(_rows104, _p_ball_radius_2, _p_ring_radius_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count105)
                     _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                     _gap_3, = bridge_distance(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                    _gap_2, _nx_2, _ny_2, _nz_2 = _put(_rows100, _count82, (_gap_2, _nx_2, _ny_2, _nz_2,), (_gap_3, _nx_3, _ny_3, _nz_3,), _here_2)
+                    _gap_2, _nx_2, _ny_2, _nz_2 = _put(_rows104, _count86, (_gap_2, _nx_2, _ny_2, _nz_2,), (_gap_3, _nx_3, _ny_3, _nz_3,), _here_2)
                 _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _gap_2, _turn_rate_2, _room_2)
                 _through_2, = passing_in_contact(_p_ring_radius_2, _x_2, _y_2, _z_2, _through_2, _over_2)
                 _clock_2, _rolling_2 = rolled_on(_which_2, _clock_2, _stride_2, _rests_2)
-                _going102 = _where_true(_rolling_2)
-                if len(_going102) == _count82:
+                _going106 = _where_true(_rolling_2)
+                if len(_going106) == _count86:
                     continue
                 _done = _where_true(_logical_not(_rolling_2))
-                _store((_clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows81, _done), (_clock_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
-                _rows81 = _of(_rows81, _going102)
-                _count82 = len(_going102)
-                if _count82 == 0:
+                _store((_clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows85, _done), (_clock_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
+                _rows85 = _of(_rows85, _going106)
+                _count86 = len(_going106)
+                if _count86 == 0:
                     break
-                if _count82 <= ALONE:
-                    _one_by_one(_alone12, _rows81, _going102, (_bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (_p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (_clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn83)
+                if _count86 <= ALONE:
+                    _one_by_one(_alone12, _rows85, _going106, (_bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (_p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (_clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn87)
                     break
-                _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going102, _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
+                _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going106, _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows81, (_clock_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
-        _rows103, _count104 = _rows(_circling_1, _count74)
-        if (0 < _count104) and (_count104 <= ALONE):
-            _circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _one_by_one(_alone13, _rows103, _rows103, (_circled_1, _circling_1, _clock_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _rests_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (), (_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
-        elif _count104:
-            _circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows103, _circled_1, _circling_1, _clock_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            for _turn105 in range(16):
-                _room_2 = room(_count104)
+                _store((_clock_1, _per_reach_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows85, (_clock_2, _per_reach_2, _rests_2, _rolling_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
+        _rows107, _count108 = _rows(_circling_1, _count78)
+        if (0 < _count108) and (_count108 <= ALONE):
+            _circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count78, _circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _one_by_one(_alone13, _rows107, _rows107, (_circled_1, _circling_1, _clock_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _rests_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (), (_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
+        elif _count108:
+            _circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows107, _circled_1, _circling_1, _clock_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _through_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count78, _circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            for _turn109 in range(16):
+                _room_2 = room(_count108)
                 _, _, _, _per_reach_2 = ring_rolling_surface(_p_ball_radius_2, _p_wire_radius_2)
                 _cosine_0_2, _sine_0_2, _climb_0_2, _along_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _tilted_0_2, _near_0_2 = ring_round_start(_p_ball_radius_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _per_reach_2, _room_2)
                 _omega_0_2, _around_0_2, _cosine_1_2, _sine_1_2, _climb_1_2, _along_1_2, _turn_rate_1_2, _tilted_1_2 = ring_round_0(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _turn_rate_0_2, _near_0_2, _climb_0_2, _cosine_0_2, _sine_0_2, _along_0_2, _tilted_0_2, _room_2)
@@ -10398,82 +10448,82 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _circled_2, _endless_2, *_ = ring_swung(_p_ball_radius_2, _p_gravity_2, _p_wire_radius_2, _which_2, _inf, 0.0, 0.0, _force_2, _force_rate_2, _force_bend_2, _stride_2, _fastest_2, _circled_2, _climb_2, _climb_0_2, _section_acceleration_2, _azimuth_clearance_2, _room_2)
                 _which_2, = rolls_for_ever(_which_2, _endless_2)
                 _clock_2, _circling_2 = rolled_on(_which_2, _clock_2, _stride_2, _rests_2)
-                _going106 = _where_true(_circling_2)
-                if len(_going106) == _count104:
+                _going110 = _where_true(_circling_2)
+                if len(_going110) == _count108:
                     continue
                 _done = _where_true(_logical_not(_circling_2))
-                _store((_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows103, _done), (_circled_2, _circling_2, _clock_2, _per_reach_2, _rests_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
-                _rows103 = _of(_rows103, _going106)
-                _count104 = len(_going106)
-                if _count104 == 0:
+                _store((_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows107, _done), (_circled_2, _circling_2, _clock_2, _per_reach_2, _rests_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
+                _rows107 = _of(_rows107, _going110)
+                _count108 = len(_going110)
+                if _count108 == 0:
                     break
-                if _count104 <= ALONE:
-                    _one_by_one(_alone13, _rows103, _going106, (_circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _rests_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (), (_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn105)
+                if _count108 <= ALONE:
+                    _one_by_one(_alone13, _rows107, _going110, (_circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _rests_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (), (_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn109)
                     break
-                _circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _rests_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going106, _circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _rests_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
+                _circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _rests_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going110, _circled_2, _circling_2, _clock_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _rests_2, _through_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows103, (_circled_2, _circling_2, _clock_2, _per_reach_2, _rests_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
+                _store((_circled_1, _circling_1, _clock_1, _per_reach_1, _rests_1, _through_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows107, (_circled_2, _circling_2, _clock_2, _per_reach_2, _rests_2, _through_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
         _rolling_1, = still_in_contact(_rolling_1, _circling_1)
-        _rows107, _count108 = _rows(_leaves_1, _count74)
-        if _count108:
-            _clock_2, _gap_jerk_2, _gap_snap_2, _held_2, _lift_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows107, _clock_1, _gap_jerk_1, _gap_snap_1, _held_1, _lift_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count108)
+        _rows111, _count112 = _rows(_leaves_1, _count78)
+        if _count112:
+            _clock_2, _gap_jerk_2, _gap_snap_2, _held_2, _lift_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _time_limit_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows111, _clock_1, _gap_jerk_1, _gap_snap_1, _held_1, _lift_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _time_limit_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count112)
             _here_2, = holding(0.0, _held_2)
-            _rows109, _count110 = _most(_here_2, _count108)
-            if _count110:
-                _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows109, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count110)
+            _rows113, _count114 = _most(_here_2, _count112)
+            if _count114:
+                _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows113, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count114)
                 _, _, _, _per_reach_3 = ring_rolling_surface(_p_ball_radius_3, _p_wire_radius_3)
                 _lift_3, _gap_jerk_3, _gap_snap_3 = ring_separation(_p_gravity_3, _p_ring_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows109, _count108, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
+                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows113, _count112, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
             _here_2, = holding(1.0, _held_2)
-            _rows111, _count112 = _most(_here_2, _count108)
-            if _count112:
-                _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows111, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count112)
+            _rows115, _count116 = _most(_here_2, _count112)
+            if _count116:
+                _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows115, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count116)
                 _, _, _, _per_reach_3 = backboard_rolling_surface(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
                 _lift_3, _gap_jerk_3, _gap_snap_3 = backboard_separation(_p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows111, _count108, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
+                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows115, _count112, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
             _here_2, = holding(2.0, _held_2)
-            _rows113, _count114 = _most(_here_2, _count108)
-            if _count114:
-                _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows113, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count114)
+            _rows117, _count118 = _most(_here_2, _count112)
+            if _count118:
+                _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows117, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count118)
                 _, _, _, _per_reach_3 = bridge_rolling_surface(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
                 _lift_3, _gap_jerk_3, _gap_snap_3 = bridge_separation(_p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows113, _count108, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
+                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows117, _count112, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
             _free_time_2, = no_contact()
             _beside_2, = beside(0.0, _held_2)
-            _rows115, _count116 = _most(_beside_2, _count108)
-            if _count116:
-                _free_time_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows115, _free_time_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count116)
+            _rows119, _count120 = _most(_beside_2, _count112)
+            if _count120:
+                _free_time_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows119, _free_time_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count120)
                 _gap_3, _nearing_3, _gap_curvature_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
                 _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
-                _free_time_2, = _put(_rows115, _count108, (_free_time_2,), (_free_time_3,), _beside_2)
+                _free_time_2, = _put(_rows119, _count112, (_free_time_2,), (_free_time_3,), _beside_2)
             _beside_2, = beside(1.0, _held_2)
-            _rows117, _count118 = _most(_beside_2, _count108)
-            if _count118:
-                _free_time_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows117, _free_time_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count118)
-                _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
-                _free_time_2, = _put(_rows117, _count108, (_free_time_2,), (_free_time_3,), _beside_2)
-            _beside_2, = beside(2.0, _held_2)
-            _rows119, _count120 = _most(_beside_2, _count108)
-            if _count120:
-                _free_time_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows119, _free_time_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count120)
-                _gap_3, _nearing_3, _gap_curvature_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
-                _free_time_2, = _put(_rows119, _count108, (_free_time_2,), (_free_time_3,), _beside_2)
-            _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _free_time_2, *_ = end_plane_free_time(_p_gravity_2, _vx_2, _vy_2, _vz_2, _gap_2, _inf, _free_time_2, _nearing_2, _gap_curvature_2, _room_2)
-            _here_2, = holding(1.0, _held_2)
-            _rows121, _count122 = _most(_here_2, _count108)
+            _rows121, _count122 = _most(_beside_2, _count112)
             if _count122:
                 _free_time_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows121, _free_time_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
                 _room_3 = room(_count122)
+                _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
+                _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
+                _free_time_2, = _put(_rows121, _count112, (_free_time_2,), (_free_time_3,), _beside_2)
+            _beside_2, = beside(2.0, _held_2)
+            _rows123, _count124 = _most(_beside_2, _count112)
+            if _count124:
+                _free_time_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows123, _free_time_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count124)
+                _gap_3, _nearing_3, _gap_curvature_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
+                _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
+                _free_time_2, = _put(_rows123, _count112, (_free_time_2,), (_free_time_3,), _beside_2)
+            _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
+            _free_time_2, *_ = end_plane_free_time(_p_gravity_2, _vx_2, _vy_2, _vz_2, _gap_2, _inf, _free_time_2, _nearing_2, _gap_curvature_2, _room_2)
+            _here_2, = holding(1.0, _held_2)
+            _rows125, _count126 = _most(_here_2, _count112)
+            if _count126:
+                _free_time_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows125, _free_time_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count126)
                 _gap_3, _nearing_3, _near_3 = backboard_seam0(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _x_3, _vx_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _gap_3, _nearing_3, _near_3 = backboard_seam1(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _x_3, _vx_3)
@@ -10486,12 +10536,12 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _gap_3, _nearing_3, _near_3 = backboard_seam5(_p_ball_radius_3, _p_board_bottom_3, _p_board_top_3, _z_3, _vz_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
-                _free_time_2, = _put(_rows121, _count108, (_free_time_2,), (_free_time_3,), _here_2)
+                _free_time_2, = _put(_rows125, _count112, (_free_time_2,), (_free_time_3,), _here_2)
             _here_2, = holding(2.0, _held_2)
-            _rows123, _count124 = _most(_here_2, _count108)
-            if _count124:
-                _free_time_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows123, _free_time_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count124)
+            _rows127, _count128 = _most(_here_2, _count112)
+            if _count128:
+                _free_time_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows127, _free_time_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count128)
                 _gap_3, _nearing_3, _near_3 = bridge_seam0(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _x_3, _vx_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _gap_3, _nearing_3, _near_3 = bridge_seam1(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _x_3, _vx_3)
@@ -10504,37 +10554,37 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _gap_3, _nearing_3, _near_3 = bridge_seam5(_p_ball_radius_3, _p_bridge_depth_3, _p_wire_radius_3, _z_3, _vz_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
-                _free_time_2, = _put(_rows123, _count108, (_free_time_2,), (_free_time_3,), _here_2)
+                _free_time_2, = _put(_rows127, _count112, (_free_time_2,), (_free_time_3,), _here_2)
             _when_2, *_ = separated(_p_gravity_2, _vx_2, _vy_2, _vz_2, _inf, 0.0, 0.0, _clock_2, _time_limit_2, _per_reach_2, _free_time_2, _lift_2, _gap_jerk_2, _gap_snap_2, _room_2)
             _which_2, = detachment()
-            _when_1, _which_1 = _put(_rows107, _count74, (_when_1, _which_1,), (_when_2, _which_2,))
-        _began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows73, shots, (_began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_began_1, _circled_1, _clock_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
+            _when_1, _which_1 = _put(_rows111, _count78, (_when_1, _which_1,), (_when_2, _which_2,))
+        _began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows77, shots, (_began_0, _circled_0, _clock_0, _rests_0, _rolling_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_began_1, _circled_1, _clock_1, _rests_1, _rolling_1, _through_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
     _, _moves_0, _ends_0, _touches_0, _reached_0, *_ = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
-    _rows125, _count126 = _most(_in_contact_0, shots)
-    if _count126:
-        _body_1, _mode_1, _moves_1, _touches_1 = _taken(_rows125, _body_0, _mode_0, _moves_0, _touches_0)
+    _rows129, _count130 = _most(_in_contact_0, shots)
+    if _count130:
+        _body_1, _mode_1, _moves_1, _touches_1 = _taken(_rows129, _body_0, _mode_0, _moves_0, _touches_0)
         _moves_1, _touches_1, _body_1 = nothing_happens_yet(_body_1, _touches_1, _mode_1, _moves_1)
-        _body_0, _moves_0, _touches_0 = _put(_rows125, shots, (_body_0, _moves_0, _touches_0,), (_body_1, _moves_1, _touches_1,), _in_contact_0)
-    _rows127, _count128 = _most(_moves_0, shots)
-    if _count128:
-        _clock_1, _p_gravity_1, _p_ring_radius_1, _through_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows127, _clock_0, _p_gravity_0, _p_ring_radius_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
-        _room_1 = room(_count128)
+        _body_0, _moves_0, _touches_0 = _put(_rows129, shots, (_body_0, _moves_0, _touches_0,), (_body_1, _moves_1, _touches_1,), _in_contact_0)
+    _rows131, _count132 = _most(_moves_0, shots)
+    if _count132:
+        _clock_1, _p_gravity_1, _p_ring_radius_1, _through_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows131, _clock_0, _p_gravity_0, _p_ring_radius_0, _through_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count132)
         _through_1, = passing(_through_1, _when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _p_gravity_1, _room_1)
         _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _clock_1, = event_clock(_when_1, _clock_1)
-        _clock_0, _through_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows127, shots, (_clock_0, _through_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_clock_1, _through_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), _moves_0)
-    _rows129, _count130 = _most(_limited_0, shots)
-    if _count130:
-        _body_1, _clock_1, _ends_1, _reached_1, _time_limit_1, _which_1 = _taken(_rows129, _body_0, _clock_0, _ends_0, _reached_0, _time_limit_0, _which_0)
+        _clock_0, _through_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows131, shots, (_clock_0, _through_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_clock_1, _through_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), _moves_0)
+    _rows133, _count134 = _most(_limited_0, shots)
+    if _count134:
+        _body_1, _clock_1, _ends_1, _reached_1, _time_limit_1, _which_1 = _taken(_rows133, _body_0, _clock_0, _ends_0, _reached_0, _time_limit_0, _which_0)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(4.0, _which_1, _body_1, _clock_1, _reached_1, _time_limit_1, _ends_1)
-        _body_0, _clock_0, _ends_0, _reached_0 = _put(_rows129, shots, (_body_0, _clock_0, _ends_0, _reached_0,), (_body_1, _clock_1, _ends_1, _reached_1,), _limited_0)
-    _rows131, _count132 = _most(_in_contact_0, shots)
-    if _count132:
-        _began_1, _body_1, _clock_1, _ends_1, _held_1, _last_1, _mode_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _which_1 = _taken(_rows131, _began_0, _body_0, _clock_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rests_0, _rolling_0, _rolls_0, _which_0)
-        _room_1 = room(_count132)
+        _body_0, _clock_0, _ends_0, _reached_0 = _put(_rows133, shots, (_body_0, _clock_0, _ends_0, _reached_0,), (_body_1, _clock_1, _ends_1, _reached_1,), _limited_0)
+    _rows135, _count136 = _most(_in_contact_0, shots)
+    if _count136:
+        _began_1, _body_1, _clock_1, _ends_1, _held_1, _last_1, _mode_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _which_1 = _taken(_rows135, _began_0, _body_0, _clock_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rests_0, _rolling_0, _rolls_0, _which_0)
+        _room_1 = room(_count136)
         _body_1, _reached_1, _, _ends_1, _, _last_1, _mode_1, _held_1, _rolls_1 = stay_in_contact(_last_1, _which_1, _inf, _body_1, _clock_1, _reached_1, _ends_1, _held_1, _mode_1, _rolls_1, _rolling_1, _began_1, _rests_1, _room_1)
-        _body_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rolls_0 = _put(_rows131, shots, (_body_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rolls_0,), (_body_1, _ends_1, _held_1, _last_1, _mode_1, _reached_1, _rolls_1,), _in_contact_0)
+        _body_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rolls_0 = _put(_rows135, shots, (_body_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rolls_0,), (_body_1, _ends_1, _held_1, _last_1, _mode_1, _reached_1, _rolls_1,), _in_contact_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
     _reached_1, = end_reached(_through_0, _g0_1)
@@ -10918,16 +10968,22 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _when_1, _which_1 = earliest(0.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows1, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
-    _middle_x_0, _reach_x_0, _later_middle_x_0, _later_reach_x_0, _middle_y_0, _reach_y_0, _later_middle_y_0, _later_reach_y_0, _middle_z_0, _reach_z_0, _later_middle_z_0, _later_reach_z_0 = half_flight_boxes(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _earliest_delay_0, _pad_0, _p_gravity_0, _room_0)
-    _reachable_0, = backboard_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _later_middle_x_0, _later_middle_y_0, _later_middle_z_0, _later_reach_x_0, _later_reach_y_0, _later_reach_z_0, _p_ball_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _room_0)
-    _reachable_0, = reachable_in_flight(_reachable_0, _in_contact_0)
-    _rows27, _count28 = _rows(_reachable_0, shots)
-    if (0 < _count28) and (_count28 <= ALONE):
-        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _copies(shots, _earliest_delay_0, _undecided_time_0, _when_0, _which_0)
-        _one_by_one(_alone19, _rows27, _rows27, (_earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_gravity_0, _position_error_0, _speed_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,))
-    elif _count28:
-        _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _position_error_1, _speed_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows27, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_gravity_0, _position_error_0, _speed_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+    _reachable_0, = backboard_near(_until_0, _x_0, _vx_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _earliest_delay_0, _pad_0, _p_ball_radius_0, _p_board_distance_0, _p_board_thickness_0, _p_gravity_0, _room_0)
+    _rows27, _count28 = _most(_reachable_0, shots)
+    if _count28:
+        _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _pad_1, _position_error_1, _speed_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1 = _taken(_rows27, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_gravity_0, _pad_0, _position_error_0, _speed_0, _until_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count28)
+        _leaving_1, = left(1.0, _last_1)
+        _reachable_1, = backboard_approaches(_leaving_1, _until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _earliest_delay_1, _pad_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
+        _reachable_0, = _put(_rows27, shots, (_reachable_0,), (_reachable_1,), _reachable_0)
+    _reachable_0, = reachable_in_flight(_reachable_0, _in_contact_0)
+    _rows29, _count30 = _rows(_reachable_0, shots)
+    if (0 < _count30) and (_count30 <= ALONE):
+        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _copies(shots, _earliest_delay_0, _undecided_time_0, _when_0, _which_0)
+        _one_by_one(_alone19, _rows29, _rows29, (_earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_gravity_0, _position_error_0, _speed_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,))
+    elif _count30:
+        _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _position_error_1, _speed_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows29, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_gravity_0, _position_error_0, _speed_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count30)
         _until_1, _pad_1 = horizon(_when_1, _speed_1, _p_gravity_1)
         _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, _budget_exceeded_1 = backboard_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
         _share_1, _arrival_1, _certain_1 = beginning()
@@ -10935,115 +10991,115 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _flat_1, _tilt_1, _rate_slack_1 = backboard_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
         _t_1, _end_1, _searching_1 = backboard_enter(0.0, 0.0, 0.0, _low0_1, _low1_1, _high0_1, _high1_1)
         _undecided_time_1, = out_of_budget_in_windows(_pad_1, _budget_exceeded_1, _earliest_delay_1, _undecided_time_1, _excess_1, _searching_1)
-        _rows29, _count30 = _rows(_searching_1, _count28)
-        if _count30:
-            _arrival_2, _ceiling_2, _certain_2, _end_2, _extent_2, _flat_2, _high0_2, _high1_2, _last_2, _latest_2, _low0_2, _low1_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _position_error_2, _rate_slack_2, _share_2, _speed_2, _t_2, _tilt_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows29, _arrival_1, _ceiling_1, _certain_1, _end_1, _extent_1, _flat_1, _high0_1, _high1_1, _last_1, _latest_1, _low0_1, _low1_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _position_error_1, _rate_slack_1, _share_1, _speed_1, _t_1, _tilt_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count30)
+        _rows31, _count32 = _rows(_searching_1, _count30)
+        if _count32:
+            _arrival_2, _ceiling_2, _certain_2, _end_2, _extent_2, _flat_2, _high0_2, _high1_2, _last_2, _latest_2, _low0_2, _low1_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _position_error_2, _rate_slack_2, _share_2, _speed_2, _t_2, _tilt_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows31, _arrival_1, _ceiling_1, _certain_1, _end_1, _extent_1, _flat_1, _high0_1, _high1_1, _last_1, _latest_1, _low0_1, _low1_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _position_error_1, _rate_slack_1, _share_1, _speed_1, _t_1, _tilt_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count32)
             _leaving_2, _margin_2 = nearby(_t_2, _flat_2, _tilt_2, 1.0, _last_2)
             _gap_2, _rate_2, _bend_2, _step_2, _next_2, _clearance_2 = backboard_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
             _hit_2, _sure_2, _needs_refinement_2 = gap_closes_or_stalls(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
-            _rows31, _count32 = _most(_needs_refinement_2, _count30)
-            if _count32:
-                _extent_3, _latest_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _position_error_3, _share_3, _speed_3, _t_3, _undecided_time_3, _velocity_error_3 = _taken(_rows31, _extent_2, _latest_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _position_error_2, _share_2, _speed_2, _t_2, _undecided_time_2, _velocity_error_2)
-                _room_3 = room(_count32)
+            _rows33, _count34 = _most(_needs_refinement_2, _count32)
+            if _count34:
+                _extent_3, _latest_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _position_error_3, _share_3, _speed_3, _t_3, _undecided_time_3, _velocity_error_3 = _taken(_rows33, _extent_2, _latest_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _position_error_2, _share_2, _speed_2, _t_2, _undecided_time_2, _velocity_error_2)
+                _room_3 = room(_count34)
                 _share_3, = smaller_budget(_share_3)
                 _position_level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3, _room_3)
                 _flat_3, _tilt_3, _rate_slack_3 = backboard_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _p_gravity_3, _room_3)
                 _undecided_time_3, = budget_undecided(_t_3, _undecided_time_3, _excess_3)
-                _flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2 = _put(_rows31, _count30, (_flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3,), _needs_refinement_2)
+                _flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2 = _put(_rows33, _count32, (_flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3,), _needs_refinement_2)
             _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_t_2, _end_2, _step_2, _next_2, _arrival_2, _hit_2, _sure_2, _needs_refinement_2, _certain_2)
             _t_3, _end_3, _searching_3 = backboard_enter(_t_2, _end_2, _end_2, _low0_2, _low1_2, _high0_2, _high1_2)
             _end_2, _searching_2, _t_2 = _choose(_exhausted_2, (_end_3, _searching_3, _t_3,), (_end_2, _searching_2, _t_2,))
-            _arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1 = _put(_rows29, _count28, (_arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1,), (_arrival_2, _certain_2, _end_2, _flat_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2,))
-        _rows33, _count34 = _rows(_searching_1, _count28)
-        if (0 < _count34) and (_count34 <= ALONE):
-            _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1 = _copies(_count28, _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1)
-            _one_by_one(_alone20, _rows33, _rows33, (_arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1, _extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _position_error_1, _speed_1, _velocity_error_1,), (), (_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), 201)
-        elif _count34:
-            _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows33, _arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1 = _copies(_count28, _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1)
-            for _turn35 in range(201):
-                _room_2 = room(_count34)
+            _arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1 = _put(_rows31, _count30, (_arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1,), (_arrival_2, _certain_2, _end_2, _flat_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2,))
+        _rows35, _count36 = _rows(_searching_1, _count30)
+        if (0 < _count36) and (_count36 <= ALONE):
+            _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1 = _copies(_count30, _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1)
+            _one_by_one(_alone20, _rows35, _rows35, (_arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1, _extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _position_error_1, _speed_1, _velocity_error_1,), (), (_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), 201)
+        elif _count36:
+            _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows35, _arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1 = _copies(_count30, _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1)
+            for _turn37 in range(201):
+                _room_2 = room(_count36)
                 _leaving_2, _margin_2 = nearby(_t_2, _flat_2, _tilt_2, 1.0, _last_2)
                 _gap_2, _rate_2, _bend_2, _step_2, _next_2, _clearance_2 = backboard_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
                 _hit_2, _sure_2, _needs_refinement_2 = gap_closes_or_stalls(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
-                _rows36, _count37 = _most(_needs_refinement_2, _count34)
-                if _count37:
-                    _far = _of(_rows33, _rows36)
+                _rows38, _count39 = _most(_needs_refinement_2, _count36)
+                if _count39:
+                    _far = _of(_rows35, _rows38)
                     _extent_3, _latest_3, _position_error_3, _speed_3, _velocity_error_3 = _taken(_far, _extent_1, _latest_1, _position_error_1, _speed_1, _velocity_error_1)
-                    _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _share_3, _t_3, _undecided_time_3 = _taken(_rows36, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _share_2, _t_2, _undecided_time_2)
-                    _room_3 = room(_count37)
+                    _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _share_3, _t_3, _undecided_time_3 = _taken(_rows38, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _share_2, _t_2, _undecided_time_2)
+                    _room_3 = room(_count39)
                     _share_3, = smaller_budget(_share_3)
                     _position_level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3, _room_3)
                     _flat_3, _tilt_3, _rate_slack_3 = backboard_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _p_gravity_3, _room_3)
                     _undecided_time_3, = budget_undecided(_t_3, _undecided_time_3, _excess_3)
-                    _flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2 = _put(_rows36, _count34, (_flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3,), _needs_refinement_2)
+                    _flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2 = _put(_rows38, _count36, (_flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3,), _needs_refinement_2)
                 _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_t_2, _end_2, _step_2, _next_2, _arrival_2, _hit_2, _sure_2, _needs_refinement_2, _certain_2)
-                _rows38, _count39 = _most(_exhausted_2, _count34)
-                if _count39:
-                    _far = _of(_rows33, _rows38)
+                _rows40, _count41 = _most(_exhausted_2, _count36)
+                if _count41:
+                    _far = _of(_rows35, _rows40)
                     _high0_3, _high1_3, _low0_3, _low1_3 = _taken(_far, _high0_1, _high1_1, _low0_1, _low1_1)
-                    _end_3, _t_3 = _taken(_rows38, _end_2, _t_2)
+                    _end_3, _t_3 = _taken(_rows40, _end_2, _t_2)
                     _t_3, _end_3, _searching_3 = backboard_enter(_t_3, _end_3, _end_3, _low0_3, _low1_3, _high0_3, _high1_3)
-                    _end_2, _searching_2, _t_2 = _put(_rows38, _count34, (_end_2, _searching_2, _t_2,), (_end_3, _searching_3, _t_3,), _exhausted_2)
-                _going40 = _where_true(_searching_2)
-                if len(_going40) == _count34:
+                    _end_2, _searching_2, _t_2 = _put(_rows40, _count36, (_end_2, _searching_2, _t_2,), (_end_3, _searching_3, _t_3,), _exhausted_2)
+                _going42 = _where_true(_searching_2)
+                if len(_going42) == _count36:
                     continue
                 _done = _where_true(_logical_not(_searching_2))
-                _store((_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), _of(_rows33, _done), (_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), _done)
-                _rows33 = _of(_rows33, _going40)
-                _count34 = len(_going40)
-                if _count34 == 0:
+                _store((_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), _of(_rows35, _done), (_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), _done)
+                _rows35 = _of(_rows35, _going42)
+                _count36 = len(_going42)
+                if _count36 == 0:
                     break
-                if _count34 <= ALONE:
-                    _one_by_one(_alone20, _rows33, _going40, (_arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (_extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _position_error_1, _speed_1, _velocity_error_1,), (_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), 200 - _turn35)
+                if _count36 <= ALONE:
+                    _one_by_one(_alone20, _rows35, _going42, (_arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (_extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _position_error_1, _speed_1, _velocity_error_1,), (_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), 200 - _turn37)
                     break
-                _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going40, _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going42, _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), _rows33, (_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), None)
+                _store((_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), _rows35, (_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), None)
         _undecided_time_1, = predicate_undecided(_t_1, _undecided_time_1, _searching_1)
         _arrives_1, _refining_1, _rate_1 = found(_arrival_1)
         _leaving_1, *_ = nearby(_arrival_1, _flat_1, _tilt_1, 1.0, _last_1)
-        _rows41, _count42 = _most(_refining_1, _count28)
-        if _count42:
-            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows41, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count42)
-            _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
-            _arrival_1, _rate_1, _refining_1 = _put(_rows41, _count28, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
-        _rows43, _count44 = _most(_refining_1, _count28)
+        _rows43, _count44 = _most(_refining_1, _count30)
         if _count44:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows43, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count44)
             _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
             _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
-            _arrival_1, _rate_1, _refining_1 = _put(_rows43, _count28, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
-        _rows45, _count46 = _rows(_refining_1, _count28)
-        if (0 < _count46) and (_count46 <= ALONE):
-            _arrival_1, _rate_1 = _copies(_count28, _arrival_1, _rate_1)
-            _one_by_one(_alone21, _rows45, _rows45, (_arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rate_1, _refining_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _rate_1,), 8)
-        elif _count46:
-            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows45, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _refining_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _arrival_1, _rate_1 = _copies(_count28, _arrival_1, _rate_1)
-            for _turn47 in range(8):
-                _room_2 = room(_count46)
+            _arrival_1, _rate_1, _refining_1 = _put(_rows43, _count30, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
+        _rows45, _count46 = _most(_refining_1, _count30)
+        if _count46:
+            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows45, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count46)
+            _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_1, _rate_1, _refining_1 = _put(_rows45, _count30, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
+        _rows47, _count48 = _rows(_refining_1, _count30)
+        if (0 < _count48) and (_count48 <= ALONE):
+            _arrival_1, _rate_1 = _copies(_count30, _arrival_1, _rate_1)
+            _one_by_one(_alone21, _rows47, _rows47, (_arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rate_1, _refining_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _rate_1,), 8)
+        elif _count48:
+            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows47, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _refining_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _arrival_1, _rate_1 = _copies(_count30, _arrival_1, _rate_1)
+            for _turn49 in range(8):
+                _room_2 = room(_count48)
                 _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
                 _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
-                _going48 = _where_true(_refining_2)
-                if len(_going48) == _count46:
+                _going50 = _where_true(_refining_2)
+                if len(_going50) == _count48:
                     continue
                 _done = _where_true(_logical_not(_refining_2))
-                _store((_arrival_1, _rate_1,), _of(_rows45, _done), (_arrival_2, _rate_2,), _done)
-                _rows45 = _of(_rows45, _going48)
-                _count46 = len(_going48)
-                if _count46 == 0:
+                _store((_arrival_1, _rate_1,), _of(_rows47, _done), (_arrival_2, _rate_2,), _done)
+                _rows47 = _of(_rows47, _going50)
+                _count48 = len(_going50)
+                if _count48 == 0:
                     break
-                if _count46 <= ALONE:
-                    _one_by_one(_alone21, _rows45, _going48, (_arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (), (_arrival_1, _rate_1,), 7 - _turn47)
+                if _count48 <= ALONE:
+                    _one_by_one(_alone21, _rows47, _going50, (_arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (), (_arrival_1, _rate_1,), 7 - _turn49)
                     break
-                _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going48, _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going50, _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rate_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_arrival_1, _rate_1,), _rows45, (_arrival_2, _rate_2,), None)
+                _store((_arrival_1, _rate_1,), _rows47, (_arrival_2, _rate_2,), None)
         _flat_1, _tilt_1, _rate_margin_1 = backboard_margins(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
         _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
@@ -11051,18 +11107,25 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _delay_1, _undecided_time_1 = arrival_certainty(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
         _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1, _room_1)
         _when_1, _which_1 = earliest(1.0, _time_1, _when_1, _which_1, _arrives_1)
-        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows27, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
+        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows29, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
     _middle_x_0, _reach_x_0, _later_middle_x_0, _later_reach_x_0, _middle_y_0, _reach_y_0, _later_middle_y_0, _later_reach_y_0, _middle_z_0, _reach_z_0, _later_middle_z_0, _later_reach_z_0 = half_flight_boxes(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _earliest_delay_0, _pad_0, _p_gravity_0, _room_0)
-    _reachable_0, = bridge_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _later_middle_x_0, _later_middle_y_0, _later_middle_z_0, _later_reach_x_0, _later_reach_y_0, _later_reach_z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_bridge_depth_0, _room_0)
+    _reachable_0, _first_near_0, _later_near_0 = bridge_near(_middle_x_0, _middle_y_0, _middle_z_0, _reach_x_0, _reach_y_0, _reach_z_0, _later_middle_x_0, _later_middle_y_0, _later_middle_z_0, _later_reach_x_0, _later_reach_y_0, _later_reach_z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_bridge_depth_0, _room_0)
+    _rows51, _count52 = _most(_reachable_0, shots)
+    if _count52:
+        _earliest_delay_1, _extent_1, _first_near_1, _last_1, _later_near_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _pad_1, _position_error_1, _speed_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1 = _taken(_rows51, _earliest_delay_0, _extent_0, _first_near_0, _last_0, _later_near_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _pad_0, _position_error_0, _speed_0, _until_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count52)
+        _leaving_1, = left(2.0, _last_1)
+        _reachable_1, = bridge_approaches(_leaving_1, _until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _earliest_delay_1, _pad_1, _first_near_1, _later_near_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
+        _reachable_0, = _put(_rows51, shots, (_reachable_0,), (_reachable_1,), _reachable_0)
     _reachable_0, = reachable_in_flight(_reachable_0, _in_contact_0)
-    _rows49, _count50 = _rows(_reachable_0, shots)
-    if (0 < _count50) and (_count50 <= ALONE):
+    _rows53, _count54 = _rows(_reachable_0, shots)
+    if (0 < _count54) and (_count54 <= ALONE):
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _copies(shots, _earliest_delay_0, _undecided_time_0, _when_0, _which_0)
-        _one_by_one(_alone22, _rows49, _rows49, (_earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _speed_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,))
-    elif _count50:
-        _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows49, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _speed_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
-        _room_1 = room(_count50)
+        _one_by_one(_alone22, _rows53, _rows53, (_earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _speed_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0,), (), (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,))
+    elif _count54:
+        _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows53, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _speed_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count54)
         _until_1, _pad_1 = horizon(_when_1, _speed_1, _p_gravity_1)
         _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, _budget_exceeded_1 = bridge_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
         _share_1, _arrival_1, _certain_1 = beginning()
@@ -11070,115 +11133,115 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _flat_1, _tilt_1, _rate_slack_1 = bridge_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
         _t_1, _end_1, _searching_1 = bridge_enter(0.0, 0.0, 0.0, _low0_1, _low1_1, _high0_1, _high1_1)
         _undecided_time_1, = out_of_budget_in_windows(_pad_1, _budget_exceeded_1, _earliest_delay_1, _undecided_time_1, _excess_1, _searching_1)
-        _rows51, _count52 = _rows(_searching_1, _count50)
-        if _count52:
-            _arrival_2, _ceiling_2, _certain_2, _end_2, _extent_2, _flat_2, _high0_2, _high1_2, _last_2, _latest_2, _low0_2, _low1_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _rate_slack_2, _share_2, _speed_2, _t_2, _tilt_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows51, _arrival_1, _ceiling_1, _certain_1, _end_1, _extent_1, _flat_1, _high0_1, _high1_1, _last_1, _latest_1, _low0_1, _low1_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _rate_slack_1, _share_1, _speed_1, _t_1, _tilt_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count52)
+        _rows55, _count56 = _rows(_searching_1, _count54)
+        if _count56:
+            _arrival_2, _ceiling_2, _certain_2, _end_2, _extent_2, _flat_2, _high0_2, _high1_2, _last_2, _latest_2, _low0_2, _low1_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _rate_slack_2, _share_2, _speed_2, _t_2, _tilt_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows55, _arrival_1, _ceiling_1, _certain_1, _end_1, _extent_1, _flat_1, _high0_1, _high1_1, _last_1, _latest_1, _low0_1, _low1_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _rate_slack_1, _share_1, _speed_1, _t_1, _tilt_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count56)
             _leaving_2, _margin_2 = nearby(_t_2, _flat_2, _tilt_2, 2.0, _last_2)
             _gap_2, _rate_2, _bend_2, _step_2, _next_2, _clearance_2 = bridge_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
             _hit_2, _sure_2, _needs_refinement_2 = gap_closes_or_stalls(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
-            _rows53, _count54 = _most(_needs_refinement_2, _count52)
-            if _count54:
-                _extent_3, _latest_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _position_error_3, _share_3, _speed_3, _t_3, _undecided_time_3, _velocity_error_3 = _taken(_rows53, _extent_2, _latest_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _share_2, _speed_2, _t_2, _undecided_time_2, _velocity_error_2)
-                _room_3 = room(_count54)
+            _rows57, _count58 = _most(_needs_refinement_2, _count56)
+            if _count58:
+                _extent_3, _latest_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _position_error_3, _share_3, _speed_3, _t_3, _undecided_time_3, _velocity_error_3 = _taken(_rows57, _extent_2, _latest_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _share_2, _speed_2, _t_2, _undecided_time_2, _velocity_error_2)
+                _room_3 = room(_count58)
                 _share_3, = smaller_budget(_share_3)
                 _position_level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3, _room_3)
                 _flat_3, _tilt_3, _rate_slack_3 = bridge_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _p_gravity_3, _room_3)
                 _undecided_time_3, = budget_undecided(_t_3, _undecided_time_3, _excess_3)
-                _flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2 = _put(_rows53, _count52, (_flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3,), _needs_refinement_2)
+                _flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2 = _put(_rows57, _count56, (_flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3,), _needs_refinement_2)
             _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_t_2, _end_2, _step_2, _next_2, _arrival_2, _hit_2, _sure_2, _needs_refinement_2, _certain_2)
             _t_3, _end_3, _searching_3 = bridge_enter(_t_2, _end_2, _end_2, _low0_2, _low1_2, _high0_2, _high1_2)
             _end_2, _searching_2, _t_2 = _choose(_exhausted_2, (_end_3, _searching_3, _t_3,), (_end_2, _searching_2, _t_2,))
-            _arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1 = _put(_rows51, _count50, (_arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1,), (_arrival_2, _certain_2, _end_2, _flat_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2,))
-        _rows55, _count56 = _rows(_searching_1, _count50)
-        if (0 < _count56) and (_count56 <= ALONE):
-            _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1 = _copies(_count50, _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1)
-            _one_by_one(_alone23, _rows55, _rows55, (_arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1, _extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _position_error_1, _speed_1, _velocity_error_1,), (), (_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), 201)
-        elif _count56:
-            _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows55, _arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1 = _copies(_count50, _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1)
-            for _turn57 in range(201):
-                _room_2 = room(_count56)
+            _arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1 = _put(_rows55, _count54, (_arrival_1, _certain_1, _end_1, _flat_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1,), (_arrival_2, _certain_2, _end_2, _flat_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2,))
+        _rows59, _count60 = _rows(_searching_1, _count54)
+        if (0 < _count60) and (_count60 <= ALONE):
+            _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1 = _copies(_count54, _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1)
+            _one_by_one(_alone23, _rows59, _rows59, (_arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1, _extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _position_error_1, _speed_1, _velocity_error_1,), (), (_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), 201)
+        elif _count60:
+            _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows59, _arrival_1, _ceiling_1, _certain_1, _end_1, _flat_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_slack_1, _searching_1, _share_1, _t_1, _tilt_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1 = _copies(_count54, _arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1)
+            for _turn61 in range(201):
+                _room_2 = room(_count60)
                 _leaving_2, _margin_2 = nearby(_t_2, _flat_2, _tilt_2, 2.0, _last_2)
                 _gap_2, _rate_2, _bend_2, _step_2, _next_2, _clearance_2 = bridge_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
                 _hit_2, _sure_2, _needs_refinement_2 = gap_closes_or_stalls(_t_2, _end_2, _gap_2, _rate_2, _bend_2, _margin_2, _rate_slack_2, _next_2, _clearance_2, _share_2)
-                _rows58, _count59 = _most(_needs_refinement_2, _count56)
-                if _count59:
-                    _far = _of(_rows55, _rows58)
+                _rows62, _count63 = _most(_needs_refinement_2, _count60)
+                if _count63:
+                    _far = _of(_rows59, _rows62)
                     _extent_3, _latest_3, _position_error_3, _speed_3, _velocity_error_3 = _taken(_far, _extent_1, _latest_1, _position_error_1, _speed_1, _velocity_error_1)
-                    _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3, _t_3, _undecided_time_3 = _taken(_rows58, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _share_2, _t_2, _undecided_time_2)
-                    _room_3 = room(_count59)
+                    _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _share_3, _t_3, _undecided_time_3 = _taken(_rows62, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _share_2, _t_2, _undecided_time_2)
+                    _room_3 = room(_count63)
                     _share_3, = smaller_budget(_share_3)
                     _position_level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3, _room_3)
                     _flat_3, _tilt_3, _rate_slack_3 = bridge_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _p_gravity_3, _room_3)
                     _undecided_time_3, = budget_undecided(_t_3, _undecided_time_3, _excess_3)
-                    _flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2 = _put(_rows58, _count56, (_flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3,), _needs_refinement_2)
+                    _flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2 = _put(_rows62, _count60, (_flat_2, _rate_slack_2, _share_2, _tilt_2, _undecided_time_2,), (_flat_3, _rate_slack_3, _share_3, _tilt_3, _undecided_time_3,), _needs_refinement_2)
                 _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_t_2, _end_2, _step_2, _next_2, _arrival_2, _hit_2, _sure_2, _needs_refinement_2, _certain_2)
-                _rows60, _count61 = _most(_exhausted_2, _count56)
-                if _count61:
-                    _far = _of(_rows55, _rows60)
+                _rows64, _count65 = _most(_exhausted_2, _count60)
+                if _count65:
+                    _far = _of(_rows59, _rows64)
                     _high0_3, _high1_3, _low0_3, _low1_3 = _taken(_far, _high0_1, _high1_1, _low0_1, _low1_1)
-                    _end_3, _t_3 = _taken(_rows60, _end_2, _t_2)
+                    _end_3, _t_3 = _taken(_rows64, _end_2, _t_2)
                     _t_3, _end_3, _searching_3 = bridge_enter(_t_3, _end_3, _end_3, _low0_3, _low1_3, _high0_3, _high1_3)
-                    _end_2, _searching_2, _t_2 = _put(_rows60, _count56, (_end_2, _searching_2, _t_2,), (_end_3, _searching_3, _t_3,), _exhausted_2)
-                _going62 = _where_true(_searching_2)
-                if len(_going62) == _count56:
+                    _end_2, _searching_2, _t_2 = _put(_rows64, _count60, (_end_2, _searching_2, _t_2,), (_end_3, _searching_3, _t_3,), _exhausted_2)
+                _going66 = _where_true(_searching_2)
+                if len(_going66) == _count60:
                     continue
                 _done = _where_true(_logical_not(_searching_2))
-                _store((_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), _of(_rows55, _done), (_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), _done)
-                _rows55 = _of(_rows55, _going62)
-                _count56 = len(_going62)
-                if _count56 == 0:
+                _store((_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), _of(_rows59, _done), (_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), _done)
+                _rows59 = _of(_rows59, _going66)
+                _count60 = len(_going66)
+                if _count60 == 0:
                     break
-                if _count56 <= ALONE:
-                    _one_by_one(_alone23, _rows55, _going62, (_arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (_extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _position_error_1, _speed_1, _velocity_error_1,), (_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), 200 - _turn57)
+                if _count60 <= ALONE:
+                    _one_by_one(_alone23, _rows59, _going66, (_arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (_extent_1, _high0_1, _high1_1, _latest_1, _low0_1, _low1_1, _position_error_1, _speed_1, _velocity_error_1,), (_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), 200 - _turn61)
                     break
-                _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going62, _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going66, _arrival_2, _ceiling_2, _certain_2, _end_2, _flat_2, _last_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_slack_2, _searching_2, _share_2, _t_2, _tilt_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), _rows55, (_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), None)
+                _store((_arrival_1, _certain_1, _flat_1, _searching_1, _t_1, _tilt_1, _undecided_time_1,), _rows59, (_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), None)
         _undecided_time_1, = predicate_undecided(_t_1, _undecided_time_1, _searching_1)
         _arrives_1, _refining_1, _rate_1 = found(_arrival_1)
         _leaving_1, *_ = nearby(_arrival_1, _flat_1, _tilt_1, 2.0, _last_1)
-        _rows63, _count64 = _most(_refining_1, _count50)
-        if _count64:
-            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows63, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count64)
+        _rows67, _count68 = _most(_refining_1, _count54)
+        if _count68:
+            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows67, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count68)
             _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
             _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
-            _arrival_1, _rate_1, _refining_1 = _put(_rows63, _count50, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
-        _rows65, _count66 = _most(_refining_1, _count50)
-        if _count66:
-            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows65, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count66)
+            _arrival_1, _rate_1, _refining_1 = _put(_rows67, _count54, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
+        _rows69, _count70 = _most(_refining_1, _count54)
+        if _count70:
+            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows69, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count70)
             _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
             _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
-            _arrival_1, _rate_1, _refining_1 = _put(_rows65, _count50, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
-        _rows67, _count68 = _rows(_refining_1, _count50)
-        if (0 < _count68) and (_count68 <= ALONE):
-            _arrival_1, _rate_1 = _copies(_count50, _arrival_1, _rate_1)
-            _one_by_one(_alone24, _rows67, _rows67, (_arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_1, _refining_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _rate_1,), 8)
-        elif _count68:
-            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows67, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _refining_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _arrival_1, _rate_1 = _copies(_count50, _arrival_1, _rate_1)
-            for _turn69 in range(8):
-                _room_2 = room(_count68)
+            _arrival_1, _rate_1, _refining_1 = _put(_rows69, _count54, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
+        _rows71, _count72 = _rows(_refining_1, _count54)
+        if (0 < _count72) and (_count72 <= ALONE):
+            _arrival_1, _rate_1 = _copies(_count54, _arrival_1, _rate_1)
+            _one_by_one(_alone24, _rows71, _rows71, (_arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rate_1, _refining_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _rate_1,), 8)
+        elif _count72:
+            _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows71, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _refining_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _arrival_1, _rate_1 = _copies(_count54, _arrival_1, _rate_1)
+            for _turn73 in range(8):
+                _room_2 = room(_count72)
                 _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
                 _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
-                _going70 = _where_true(_refining_2)
-                if len(_going70) == _count68:
+                _going74 = _where_true(_refining_2)
+                if len(_going74) == _count72:
                     continue
                 _done = _where_true(_logical_not(_refining_2))
-                _store((_arrival_1, _rate_1,), _of(_rows67, _done), (_arrival_2, _rate_2,), _done)
-                _rows67 = _of(_rows67, _going70)
-                _count68 = len(_going70)
-                if _count68 == 0:
+                _store((_arrival_1, _rate_1,), _of(_rows71, _done), (_arrival_2, _rate_2,), _done)
+                _rows71 = _of(_rows71, _going74)
+                _count72 = len(_going74)
+                if _count72 == 0:
                     break
-                if _count68 <= ALONE:
-                    _one_by_one(_alone24, _rows67, _going70, (_arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (), (_arrival_1, _rate_1,), 7 - _turn69)
+                if _count72 <= ALONE:
+                    _one_by_one(_alone24, _rows71, _going74, (_arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,), (), (_arrival_1, _rate_1,), 7 - _turn73)
                     break
-                _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going70, _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_going74, _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rate_2, _refining_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_arrival_1, _rate_1,), _rows67, (_arrival_2, _rate_2,), None)
+                _store((_arrival_1, _rate_1,), _rows71, (_arrival_2, _rate_2,), None)
         _flat_1, _tilt_1, _rate_margin_1 = bridge_margins(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
         _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
@@ -11186,43 +11249,43 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _delay_1, _undecided_time_1 = arrival_certainty(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
         _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1, _room_1)
         _when_1, _which_1 = earliest(2.0, _time_1, _when_1, _which_1, _arrives_1)
-        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows49, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
-    _rows71, _count72 = _most(_limited_0, shots)
-    if _count72:
-        _clock_1, _earliest_delay_1, _time_error_1, _time_limit_1, _undecided_time_1, _when_1, _which_1 = _taken(_rows71, _clock_0, _earliest_delay_0, _time_error_0, _time_limit_0, _undecided_time_0, _when_0, _which_0)
-        _room_1 = room(_count72)
+        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows53, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
+    _rows75, _count76 = _most(_limited_0, shots)
+    if _count76:
+        _clock_1, _earliest_delay_1, _time_error_1, _time_limit_1, _undecided_time_1, _when_1, _which_1 = _taken(_rows75, _clock_0, _earliest_delay_0, _time_error_0, _time_limit_0, _undecided_time_0, _when_0, _which_0)
+        _room_1 = room(_count76)
         _time_1, _delay_1, _arrives_1, _undecided_time_1 = expiry(_when_1, _which_1, _earliest_delay_1, _undecided_time_1, _time_error_1, _clock_1, _time_limit_1)
         _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1, _room_1)
         _when_1, _which_1 = earliest(4.0, _time_1, _when_1, _which_1, _arrives_1)
-        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows71, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,), _limited_0)
-    _rows73, _count74 = _rows(_in_contact_0, shots)
-    if (0 < _count74) and (_count74 <= ALONE):
+        _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows75, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,), _limited_0)
+    _rows77, _count78 = _rows(_in_contact_0, shots)
+    if (0 < _count78) and (_count78 <= ALONE):
         _began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _copies(shots, _began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
-        _one_by_one(_alone25, _rows73, _rows73, (_circled_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _grip_lost_0, _held_0, _last_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _mode_0, _p_backboard_friction_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _rests_0, _through_0, _time_limit_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (), (_began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,))
-    elif _count74:
-        _circled_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _grip_lost_1, _held_1, _last_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _mode_1, _p_backboard_friction_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _rests_1, _through_1, _time_limit_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows73, _circled_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _grip_lost_0, _held_0, _last_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _mode_0, _p_backboard_friction_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _rests_0, _through_0, _time_limit_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
+        _one_by_one(_alone25, _rows77, _rows77, (_circled_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _grip_lost_0, _held_0, _last_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _mode_0, _p_backboard_friction_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _rests_0, _through_0, _time_limit_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (), (_began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,))
+    elif _count78:
+        _circled_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _grip_lost_1, _held_1, _last_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _mode_1, _p_backboard_friction_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _rests_1, _through_1, _time_limit_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows77, _circled_0, _clock_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _grip_lost_0, _held_0, _last_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _mode_0, _p_backboard_friction_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _rests_0, _through_0, _time_limit_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
         _which_1, _earliest_delay_1, _began_1, _undecided_time_1, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _gap_jerk_1, _gap_snap_1, _per_reach_1 = resumed(_last_1, _position_error_1, _velocity_error_1, _clock_1, _mode_1)
-        _rows75, _count76 = _rows(_begins_1, _count74)
-        if _count76:
-            _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _gap_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows75, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _gap_1, _held_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count76)
+        _rows79, _count80 = _rows(_begins_1, _count78)
+        if _count80:
+            _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _gap_2, _held_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows79, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _gap_1, _held_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count80)
             _here_2, = holding(0.0, _held_2)
             _nx_3, _ny_3, _nz_3 = ring_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _room_2)
             _nx_2, _ny_2, _nz_2 = _choose(_here_2, (_nx_3, _ny_3, _nz_3,), (_nx_2, _ny_2, _nz_2,))
             _here_2, = holding(1.0, _held_2)
-            _rows77, _count78 = _most(_here_2, _count76)
-            if _count78:
-                _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3 = _taken(_rows77, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count78)
+            _rows81, _count82 = _most(_here_2, _count80)
+            if _count82:
+                _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3 = _taken(_rows81, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count82)
                 _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                _nx_2, _ny_2, _nz_2 = _put(_rows77, _count76, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
+                _nx_2, _ny_2, _nz_2 = _put(_rows81, _count80, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
             _here_2, = holding(2.0, _held_2)
-            _rows79, _count80 = _most(_here_2, _count76)
-            if _count80:
-                _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3 = _taken(_rows79, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count80)
+            _rows83, _count84 = _most(_here_2, _count80)
+            if _count84:
+                _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3 = _taken(_rows83, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count84)
                 _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                _nx_2, _ny_2, _nz_2 = _put(_rows79, _count76, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
+                _nx_2, _ny_2, _nz_2 = _put(_rows83, _count80, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
             _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2)
             _rolled_x_2, _rolled_y_2, _rolled_z_2, *_ = gripped(_p_ball_radius_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _room_2)
             _here_2, = holding(0.0, _held_2)
@@ -11238,38 +11301,38 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = jump_errors(_p_ball_radius_2, _vx_2, _vy_2, _vz_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
             _last_grip_deficit_2, = forget_grip_deficit()
             _which_2, _circled_2 = beginning_contact()
-            _circled_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _last_grip_deficit_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _put(_rows75, _count74, (_circled_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _last_grip_deficit_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (_circled_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _last_grip_deficit_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,))
+            _circled_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _last_grip_deficit_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _put(_rows79, _count78, (_circled_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _last_grip_deficit_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (_circled_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _last_grip_deficit_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,))
         _circling_1, _rolling_1 = circles(0.0, _held_1, _rolling_1)
-        _rows81, _count82 = _rows(_rolling_1, _count74)
-        if (0 < _count82) and (_count82 <= ALONE):
-            _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _one_by_one(_alone26, _rows81, _rows81, (_bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _held_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _nx_1, _ny_1, _nz_1, _p_backboard_friction_1, _p_ball_radius_1, _p_bridge_friction_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _time_limit_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (), (_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
-        elif _count82:
-            _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows81, _bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _held_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _nx_1, _ny_1, _nz_1, _p_backboard_friction_1, _p_ball_radius_1, _p_bridge_friction_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _rolling_1, _through_1, _time_limit_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            for _turn83 in range(16):
-                _room_2 = room(_count82)
+        _rows85, _count86 = _rows(_rolling_1, _count78)
+        if (0 < _count86) and (_count86 <= ALONE):
+            _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count78, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _one_by_one(_alone26, _rows85, _rows85, (_bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _held_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _nx_1, _ny_1, _nz_1, _p_backboard_friction_1, _p_ball_radius_1, _p_bridge_friction_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _time_limit_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (), (_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
+        elif _count86:
+            _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows85, _bent_x_1, _bent_y_1, _bent_z_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _held_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _nx_1, _ny_1, _nz_1, _p_backboard_friction_1, _p_ball_radius_1, _p_bridge_friction_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _per_reach_1, _rolling_1, _through_1, _time_limit_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count78, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            for _turn87 in range(16):
+                _room_2 = room(_count86)
                 _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
                 _here_2, = holding(1.0, _held_2)
-                _rows84, _count85 = _most(_here_2, _count82)
-                if _count85:
-                    _far = _of(_rows81, _rows84)
+                _rows88, _count89 = _most(_here_2, _count86)
+                if _count89:
+                    _far = _of(_rows85, _rows88)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _p_ball_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows84, _p_ball_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count85)
+                    _p_ball_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows88, _p_ball_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count89)
                     _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
                     _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3 = backboard_rolling_surface(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2 = _put(_rows84, _count82, (_bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2,), (_bent_x_3, _bent_y_3, _bent_z_3, _nx_3, _ny_3, _nz_3, _per_reach_3,), _here_2)
+                    _bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2 = _put(_rows88, _count86, (_bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2,), (_bent_x_3, _bent_y_3, _bent_z_3, _nx_3, _ny_3, _nz_3, _per_reach_3,), _here_2)
                 _here_2, = holding(2.0, _held_2)
-                _rows86, _count87 = _most(_here_2, _count82)
-                if _count87:
-                    _far = _of(_rows81, _rows86)
+                _rows90, _count91 = _most(_here_2, _count86)
+                if _count91:
+                    _far = _of(_rows85, _rows90)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows86, _p_ball_radius_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count87)
+                    _p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows90, _p_ball_radius_2, _p_ring_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count91)
                     _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                     _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3 = bridge_rolling_surface(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2 = _put(_rows86, _count82, (_bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2,), (_bent_x_3, _bent_y_3, _bent_z_3, _nx_3, _ny_3, _nz_3, _per_reach_3,), _here_2)
+                    _bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2 = _put(_rows90, _count86, (_bent_x_2, _bent_y_2, _bent_z_2, _nx_2, _ny_2, _nz_2, _per_reach_2,), (_bent_x_3, _bent_y_3, _bent_z_3, _nx_3, _ny_3, _nz_3, _per_reach_3,), _here_2)
                 _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2 = roll_start(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2)
                 _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2 = roll_0(_p_gravity_2, _p_inertia_2, _nx_0_2, _ny_0_2, _nz_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _bent_x_2, _bent_y_2, _bent_z_2, _per_reach_2, _turn_rate_0_2, _room_2)
                 _lift_1_2, _tx_1_2, _ty_1_2, _tz_1_2, _vx_2_2, _vy_2_2, _vz_2_2, _nx_2_2, _ny_2_2, _nz_2_2, _turn_rate_2_2 = roll_1(_p_gravity_2, _p_inertia_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _vx_0_2, _vx_1_2, _vy_0_2, _vy_1_2, _vz_0_2, _vz_1_2, _bent_x_2, _bent_y_2, _bent_z_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _room_2)
@@ -11288,53 +11351,53 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _grip_deficit_3, _grip_deficit_rate_3 = ring_impact_grip_deficit(_p_bridge_friction_2, _rolling_friction_2, _rolling_friction_rate_2, _force_2, _force_rate_2)
                 _grip_deficit_2, _grip_deficit_rate_2 = _choose(_here_2, (_grip_deficit_3, _grip_deficit_rate_3,), (_grip_deficit_2, _grip_deficit_rate_2,))
                 _loses_2, = exceeds_grip(_grip_deficit_2, _grip_lost_2)
-                _rows88, _count89 = _most(_loses_2, _count82)
-                if _count89:
-                    _clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_clock_3, _last_grip_deficit_3, _last_grip_deficit_rate_3 = _taken(_rows88, _clock_2, _grip_deficit_2, _grip_deficit_rate_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2)
-                    _room_3 = room(_count89)
+                _rows92, _count93 = _most(_loses_2, _count86)
+                if _count93:
+                    _clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_clock_3, _last_grip_deficit_3, _last_grip_deficit_rate_3 = _taken(_rows92, _clock_2, _grip_deficit_2, _grip_deficit_rate_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2)
+                    _room_3 = room(_count93)
                     _grip_lost_3, = grip_lost_time(_clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_deficit_3, _last_grip_deficit_rate_3, _last_grip_clock_3, _room_3)
-                    _grip_lost_2, = _put(_rows88, _count82, (_grip_lost_2,), (_grip_lost_3,), _loses_2)
+                    _grip_lost_2, = _put(_rows92, _count86, (_grip_lost_2,), (_grip_lost_3,), _loses_2)
                 _last_grip_deficit_2, _last_grip_deficit_rate_2, _last_grip_clock_2 = remember_grip_deficit(_clock_2, _grip_deficit_2, _grip_deficit_rate_2)
                 _stride_2, _which_2, _rests_2, _undecided_time_2 = leaving_force(_p_ball_radius_2, _p_gravity_2, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _undecided_time_2, _position_error_2, _velocity_error_2, _per_reach_2, _force_2, _force_rate_2, _force_bend_2, _friction_force_rate_2, _stride_2, _fastest_2, _room_2)
                 _beside_2, = beside(0.0, _held_2)
-                _rows90, _count91 = _most(_beside_2, _count82)
-                if _count91:
-                    _far = _of(_rows81, _rows90)
-                    _p_wire_radius_3, = _taken(_far, _p_wire_radius_1)
-                    _earliest_delay_3, _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _position_error_3, _stride_3, _strongest_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows90, _earliest_delay_2, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _position_error_2, _stride_2, _strongest_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count91)
-                    _gap_3, _nearing_3, _gap_curvature_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _stride_3, _which_3, _undecided_time_3, _earliest_delay_3 = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 0.0, _which_3, _earliest_delay_3, _undecided_time_3, _position_error_3, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _earliest_delay_2, _stride_2, _undecided_time_2, _which_2 = _put(_rows90, _count82, (_earliest_delay_2, _stride_2, _undecided_time_2, _which_2,), (_earliest_delay_3, _stride_3, _undecided_time_3, _which_3,), _beside_2)
-                _beside_2, = beside(1.0, _held_2)
-                _rows92, _count93 = _most(_beside_2, _count82)
-                if _count93:
-                    _far = _of(_rows81, _rows92)
-                    _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _earliest_delay_3, _fastest_3, _p_ball_radius_3, _position_error_3, _stride_3, _strongest_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows92, _earliest_delay_2, _fastest_2, _p_ball_radius_2, _position_error_2, _stride_2, _strongest_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count93)
-                    _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                    _stride_3, _which_3, _undecided_time_3, _earliest_delay_3 = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 1.0, _which_3, _earliest_delay_3, _undecided_time_3, _position_error_3, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _earliest_delay_2, _stride_2, _undecided_time_2, _which_2 = _put(_rows92, _count82, (_earliest_delay_2, _stride_2, _undecided_time_2, _which_2,), (_earliest_delay_3, _stride_3, _undecided_time_3, _which_3,), _beside_2)
-                _beside_2, = beside(2.0, _held_2)
-                _rows94, _count95 = _most(_beside_2, _count82)
+                _rows94, _count95 = _most(_beside_2, _count86)
                 if _count95:
-                    _far = _of(_rows81, _rows94)
-                    _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
+                    _far = _of(_rows85, _rows94)
+                    _p_wire_radius_3, = _taken(_far, _p_wire_radius_1)
                     _earliest_delay_3, _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _position_error_3, _stride_3, _strongest_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows94, _earliest_delay_2, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _position_error_2, _stride_2, _strongest_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
                     _room_3 = room(_count95)
+                    _gap_3, _nearing_3, _gap_curvature_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
+                    _stride_3, _which_3, _undecided_time_3, _earliest_delay_3 = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 0.0, _which_3, _earliest_delay_3, _undecided_time_3, _position_error_3, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
+                    _earliest_delay_2, _stride_2, _undecided_time_2, _which_2 = _put(_rows94, _count86, (_earliest_delay_2, _stride_2, _undecided_time_2, _which_2,), (_earliest_delay_3, _stride_3, _undecided_time_3, _which_3,), _beside_2)
+                _beside_2, = beside(1.0, _held_2)
+                _rows96, _count97 = _most(_beside_2, _count86)
+                if _count97:
+                    _far = _of(_rows85, _rows96)
+                    _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
+                    _earliest_delay_3, _fastest_3, _p_ball_radius_3, _position_error_3, _stride_3, _strongest_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows96, _earliest_delay_2, _fastest_2, _p_ball_radius_2, _position_error_2, _stride_2, _strongest_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count97)
+                    _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
+                    _stride_3, _which_3, _undecided_time_3, _earliest_delay_3 = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 1.0, _which_3, _earliest_delay_3, _undecided_time_3, _position_error_3, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
+                    _earliest_delay_2, _stride_2, _undecided_time_2, _which_2 = _put(_rows96, _count86, (_earliest_delay_2, _stride_2, _undecided_time_2, _which_2,), (_earliest_delay_3, _stride_3, _undecided_time_3, _which_3,), _beside_2)
+                _beside_2, = beside(2.0, _held_2)
+                _rows98, _count99 = _most(_beside_2, _count86)
+                if _count99:
+                    _far = _of(_rows85, _rows98)
+                    _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
+                    _earliest_delay_3, _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _position_error_3, _stride_3, _strongest_3, _undecided_time_3, _vx_3, _vy_3, _vz_3, _which_3, _x_3, _y_3, _z_3 = _taken(_rows98, _earliest_delay_2, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _position_error_2, _stride_2, _strongest_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count99)
                     _gap_3, _nearing_3, _gap_curvature_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
                     _stride_3, _which_3, _undecided_time_3, _earliest_delay_3 = beside_body(_p_ball_radius_3, _x_3, _y_3, _z_3, _gap_3, 2.0, _which_3, _earliest_delay_3, _undecided_time_3, _position_error_3, _nearing_3, _gap_curvature_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _earliest_delay_2, _stride_2, _undecided_time_2, _which_2 = _put(_rows94, _count82, (_earliest_delay_2, _stride_2, _undecided_time_2, _which_2,), (_earliest_delay_3, _stride_3, _undecided_time_3, _which_3,), _beside_2)
+                    _earliest_delay_2, _stride_2, _undecided_time_2, _which_2 = _put(_rows98, _count86, (_earliest_delay_2, _stride_2, _undecided_time_2, _which_2,), (_earliest_delay_3, _stride_3, _undecided_time_3, _which_3,), _beside_2)
                 _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
                 _stride_2, _which_2, _undecided_time_2, _earliest_delay_2 = beside_end_plane(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, 3.0, _which_2, _earliest_delay_2, _undecided_time_2, _position_error_2, _nearing_2, _gap_curvature_2, _stride_2, _strongest_2, _fastest_2, _room_2)
                 _here_2, = holding(1.0, _held_2)
-                _rows96, _count97 = _most(_here_2, _count82)
-                if _count97:
-                    _far = _of(_rows81, _rows96)
+                _rows100, _count101 = _most(_here_2, _count86)
+                if _count101:
+                    _far = _of(_rows85, _rows100)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _fastest_3, _p_ball_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows96, _fastest_2, _p_ball_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count97)
+                    _fastest_3, _p_ball_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows100, _fastest_2, _p_ball_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count101)
                     _gap_3, _nearing_3, _near_3 = backboard_seam0(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _x_3, _vx_3)
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = backboard_seam1(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _x_3, _vx_3)
@@ -11347,14 +11410,14 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = backboard_seam5(_p_ball_radius_3, _p_board_bottom_3, _p_board_top_3, _z_3, _vz_3)
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _gap_2, _stride_2 = _put(_rows96, _count82, (_gap_2, _stride_2,), (_gap_3, _stride_3,), _here_2)
+                    _gap_2, _stride_2 = _put(_rows100, _count86, (_gap_2, _stride_2,), (_gap_3, _stride_3,), _here_2)
                 _here_2, = holding(2.0, _held_2)
-                _rows98, _count99 = _most(_here_2, _count82)
-                if _count99:
-                    _far = _of(_rows81, _rows98)
+                _rows102, _count103 = _most(_here_2, _count86)
+                if _count103:
+                    _far = _of(_rows85, _rows102)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows98, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count99)
+                    _fastest_3, _p_ball_radius_3, _p_ring_radius_3, _stride_3, _strongest_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows102, _fastest_2, _p_ball_radius_2, _p_ring_radius_2, _stride_2, _strongest_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count103)
                     _gap_3, _nearing_3, _near_3 = bridge_seam0(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _x_3, _vx_3)
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = bridge_seam1(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _x_3, _vx_3)
@@ -11367,73 +11430,73 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
                     _gap_3, _nearing_3, _near_3 = bridge_seam5(_p_ball_radius_3, _p_bridge_depth_3, _p_wire_radius_3, _z_3, _vz_3)
                     _stride_3, = beside_seam(_gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _fastest_3, _room_3)
-                    _gap_2, _stride_2 = _put(_rows98, _count82, (_gap_2, _stride_2,), (_gap_3, _stride_3,), _here_2)
+                    _gap_2, _stride_2 = _put(_rows102, _count86, (_gap_2, _stride_2,), (_gap_3, _stride_3,), _here_2)
                 _stride_2, _which_2 = beside_time(_which_2, _clock_2, _time_limit_2, _stride_2)
                 _neighbour_scale_2, = neighbour_scale(_p_ball_radius_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
                 _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_nx_2, _far_ny_2, _far_nz_2, _far_gap_2 = neighbour(_x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _neighbour_scale_2, _room_2)
                 _over_2, = passing_from(_z_2)
                 _x_2, _vx_2, _y_2, _vy_2, _z_2, _vz_2, _turn_rate_2 = roll_moved(_x_2, _y_2, _z_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _room_2)
                 _here_2, = holding(1.0, _held_2)
-                _rows100, _count101 = _most(_here_2, _count82)
-                if _count101:
-                    _far = _of(_rows81, _rows100)
+                _rows104, _count105 = _most(_here_2, _count86)
+                if _count105:
+                    _far = _of(_rows85, _rows104)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _p_ball_radius_3, _x_3, _y_3, _z_3 = _taken(_rows100, _p_ball_radius_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count101)
+                    _p_ball_radius_3, _x_3, _y_3, _z_3 = _taken(_rows104, _p_ball_radius_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count105)
                     _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
                     _gap_3, = backboard_distance(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _room_3)
-                    _gap_2, _nx_2, _ny_2, _nz_2 = _put(_rows100, _count82, (_gap_2, _nx_2, _ny_2, _nz_2,), (_gap_3, _nx_3, _ny_3, _nz_3,), _here_2)
+                    _gap_2, _nx_2, _ny_2, _nz_2 = _put(_rows104, _count86, (_gap_2, _nx_2, _ny_2, _nz_2,), (_gap_3, _nx_3, _ny_3, _nz_3,), _here_2)
                 _here_2, = holding(2.0, _held_2)
-                _rows102, _count103 = _most(_here_2, _count82)
-                if _count103:
-                    _far = _of(_rows81, _rows102)
+                _rows106, _count107 = _most(_here_2, _count86)
+                if _count107:
+                    _far = _of(_rows85, _rows106)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _p_ball_radius_3, _p_ring_radius_3, _x_3, _y_3, _z_3 = _taken(_rows102, _p_ball_radius_2, _p_ring_radius_2, _x_2, _y_2, _z_2)
-                    _room_3 = room(_count103)
+                    _p_ball_radius_3, _p_ring_radius_3, _x_3, _y_3, _z_3 = _taken(_rows106, _p_ball_radius_2, _p_ring_radius_2, _x_2, _y_2, _z_2)
+                    _room_3 = room(_count107)
                     _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                     _gap_3, = bridge_distance(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
-                    _gap_2, _nx_2, _ny_2, _nz_2 = _put(_rows102, _count82, (_gap_2, _nx_2, _ny_2, _nz_2,), (_gap_3, _nx_3, _ny_3, _nz_3,), _here_2)
+                    _gap_2, _nx_2, _ny_2, _nz_2 = _put(_rows106, _count86, (_gap_2, _nx_2, _ny_2, _nz_2,), (_gap_3, _nx_3, _ny_3, _nz_3,), _here_2)
                 _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _gap_2, _turn_rate_2, _room_2)
                 _through_2, = passing_in_contact(_p_ring_radius_2, _x_2, _y_2, _z_2, _through_2, _over_2)
                 _here_2, = holding(1.0, _held_2)
-                _rows104, _count105 = _most(_here_2, _count82)
-                if _count105:
-                    _far = _of(_rows81, _rows104)
-                    _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3 = _taken(_rows104, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2)
-                    _room_3 = room(_count105)
-                    _far_nx_3, _far_ny_3, _far_nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows104, _count82, (_far_nx_2, _far_ny_2, _far_nz_2,), (_far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
-                _here_2, = holding(2.0, _held_2)
-                _rows106, _count107 = _most(_here_2, _count82)
-                if _count107:
-                    _far = _of(_rows81, _rows106)
-                    _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3 = _taken(_rows106, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2, _p_ring_radius_2)
-                    _room_3 = room(_count107)
-                    _far_nx_3, _far_ny_3, _far_nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
-                    _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows106, _count82, (_far_nx_2, _far_ny_2, _far_nz_2,), (_far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
-                _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _far_nx_2, _far_ny_2, _far_nz_2, _far_wx_2, _far_wy_2, _far_wz_2)
-                _here_2, = holding(1.0, _held_2)
-                _rows108, _count109 = _most(_here_2, _count82)
+                _rows108, _count109 = _most(_here_2, _count86)
                 if _count109:
-                    _far = _of(_rows81, _rows108)
+                    _far = _of(_rows85, _rows108)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
                     _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3 = _taken(_rows108, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2)
                     _room_3 = room(_count109)
                     _far_nx_3, _far_ny_3, _far_nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
-                    _far_gap_3, = backboard_distance(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows108, _count82, (_far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2,), (_far_gap_3, _far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
+                    _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows108, _count86, (_far_nx_2, _far_ny_2, _far_nz_2,), (_far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
                 _here_2, = holding(2.0, _held_2)
-                _rows110, _count111 = _most(_here_2, _count82)
+                _rows110, _count111 = _most(_here_2, _count86)
                 if _count111:
-                    _far = _of(_rows81, _rows110)
+                    _far = _of(_rows85, _rows110)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
                     _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3 = _taken(_rows110, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2, _p_ring_radius_2)
                     _room_3 = room(_count111)
                     _far_nx_3, _far_ny_3, _far_nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows110, _count86, (_far_nx_2, _far_ny_2, _far_nz_2,), (_far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
+                _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _far_nx_2, _far_ny_2, _far_nz_2, _far_wx_2, _far_wy_2, _far_wz_2)
+                _here_2, = holding(1.0, _held_2)
+                _rows112, _count113 = _most(_here_2, _count86)
+                if _count113:
+                    _far = _of(_rows85, _rows112)
+                    _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
+                    _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3 = _taken(_rows112, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2)
+                    _room_3 = room(_count113)
+                    _far_nx_3, _far_ny_3, _far_nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _far_gap_3, = backboard_distance(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows112, _count86, (_far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2,), (_far_gap_3, _far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
+                _here_2, = holding(2.0, _held_2)
+                _rows114, _count115 = _most(_here_2, _count86)
+                if _count115:
+                    _far = _of(_rows85, _rows114)
+                    _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
+                    _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3 = _taken(_rows114, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2, _p_ring_radius_2)
+                    _room_3 = room(_count115)
+                    _far_nx_3, _far_ny_3, _far_nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                     _far_gap_3, = bridge_distance(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows110, _count82, (_far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2,), (_far_gap_3, _far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
+                    _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows114, _count86, (_far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2,), (_far_gap_3, _far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
                 _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = roll_placed(_p_ball_radius_2, _far_x_2, _far_y_2, _far_z_2, _far_nx_2, _far_ny_2, _far_nz_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_gap_2, _turn_rate_2, _room_2)
                 _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2 = roll_start(_p_ball_radius_2, _far_nx_2, _far_ny_2, _far_nz_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2)
                 _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2 = roll_0(_p_gravity_2, _p_inertia_2, _nx_0_2, _ny_0_2, _nz_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _bent_x_2, _bent_y_2, _bent_z_2, _per_reach_2, _turn_rate_0_2, _room_2)
@@ -11446,52 +11509,52 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _, _, _, _turn_rate_8_2 = roll_7(_p_gravity_2, _p_inertia_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _bent_x_2, _bent_y_2, _bent_z_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _room_2)
                 _far_x_2, _far_vx_2, _far_y_2, _far_vy_2, _far_z_2, _far_vz_2, _turn_rate_2 = roll_moved(_far_x_2, _far_y_2, _far_z_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _room_2)
                 _here_2, = holding(1.0, _held_2)
-                _rows112, _count113 = _most(_here_2, _count82)
-                if _count113:
-                    _far = _of(_rows81, _rows112)
+                _rows116, _count117 = _most(_here_2, _count86)
+                if _count117:
+                    _far = _of(_rows85, _rows116)
                     _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3 = _taken(_far, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1)
-                    _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3 = _taken(_rows112, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2)
-                    _room_3 = room(_count113)
+                    _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3 = _taken(_rows116, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2)
+                    _room_3 = room(_count117)
                     _far_nx_3, _far_ny_3, _far_nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
                     _far_gap_3, = backboard_distance(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows112, _count82, (_far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2,), (_far_gap_3, _far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
+                    _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows116, _count86, (_far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2,), (_far_gap_3, _far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
                 _here_2, = holding(2.0, _held_2)
-                _rows114, _count115 = _most(_here_2, _count82)
-                if _count115:
-                    _far = _of(_rows81, _rows114)
+                _rows118, _count119 = _most(_here_2, _count86)
+                if _count119:
+                    _far = _of(_rows85, _rows118)
                     _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_wire_radius_3 = _taken(_far, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1)
-                    _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3 = _taken(_rows114, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2, _p_ring_radius_2)
-                    _room_3 = room(_count115)
+                    _far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3 = _taken(_rows118, _far_x_2, _far_y_2, _far_z_2, _p_ball_radius_2, _p_ring_radius_2)
+                    _room_3 = room(_count119)
                     _far_nx_3, _far_ny_3, _far_nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                     _far_gap_3, = bridge_distance(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
-                    _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows114, _count82, (_far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2,), (_far_gap_3, _far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
+                    _far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2 = _put(_rows118, _count86, (_far_gap_2, _far_nx_2, _far_ny_2, _far_nz_2,), (_far_gap_3, _far_nx_3, _far_ny_3, _far_nz_3,), _here_2)
                 _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = roll_placed(_p_ball_radius_2, _far_x_2, _far_y_2, _far_z_2, _far_nx_2, _far_ny_2, _far_nz_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_gap_2, _turn_rate_2, _room_2)
                 _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = compared(_p_ball_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _stride_2, _missed_2, _neighbour_scale_2, _room_2)
                 _clock_2, _rolling_2 = rolled_on(_which_2, _clock_2, _stride_2, _rests_2)
-                _going116 = _where_true(_rolling_2)
-                if len(_going116) == _count82:
+                _going120 = _where_true(_rolling_2)
+                if len(_going120) == _count86:
                     continue
                 _done = _where_true(_logical_not(_rolling_2))
-                _store((_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows81, _done), (_clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
-                _rows81 = _of(_rows81, _going116)
-                _count82 = len(_going116)
-                if _count82 == 0:
+                _store((_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows85, _done), (_clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
+                _rows85 = _of(_rows85, _going120)
+                _count86 = len(_going120)
+                if _count86 == 0:
                     break
-                if _count82 <= ALONE:
-                    _one_by_one(_alone26, _rows81, _going116, (_bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (_p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn83)
+                if _count86 <= ALONE:
+                    _one_by_one(_alone26, _rows85, _going120, (_bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (_p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_wire_radius_1,), (_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn87)
                     break
-                _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going116, _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
+                _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going120, _bent_x_2, _bent_y_2, _bent_z_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _held_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _nx_2, _ny_2, _nz_2, _p_backboard_friction_2, _p_ball_radius_2, _p_bridge_friction_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows81, (_clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
-        _rows117, _count118 = _rows(_circling_1, _count74)
-        if (0 < _count118) and (_count118 <= ALONE):
-            _circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _one_by_one(_alone27, _rows117, _rows117, (_circled_1, _circling_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _time_limit_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (), (_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
-        elif _count118:
-            _circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _through_2, _time_limit_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows117, _circled_1, _circling_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _through_1, _time_limit_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count74, _circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            for _turn119 in range(16):
-                _room_2 = room(_count118)
+                _store((_clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows85, (_clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _rolling_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
+        _rows121, _count122 = _rows(_circling_1, _count78)
+        if (0 < _count122) and (_count122 <= ALONE):
+            _circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count78, _circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _one_by_one(_alone27, _rows121, _rows121, (_circled_1, _circling_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _time_limit_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), (), (_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 16)
+        elif _count122:
+            _circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _through_2, _time_limit_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows121, _circled_1, _circling_1, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_wire_radius_1, _through_1, _time_limit_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _copies(_count78, _circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            for _turn123 in range(16):
+                _room_2 = room(_count122)
                 _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
                 _, _, _, _per_reach_2 = ring_rolling_surface(_p_ball_radius_2, _p_wire_radius_2)
                 _cosine_0_2, _sine_0_2, _climb_0_2, _along_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _tilted_0_2, _near_0_2 = ring_round_start(_p_ball_radius_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _per_reach_2, _room_2)
@@ -11511,12 +11574,12 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _rolling_friction_2, _rolling_friction_rate_2, *_ = ring_round_pulled(_p_gravity_2, _p_inertia_2, _turn_rate_0_2, _turn_rate_1_2, _climb_0_2, _climb_1_2, _cosine_0_2, _cosine_1_2, _omega_0_2, _omega_1_2, _room_2)
                 _grip_deficit_2, _grip_deficit_rate_2 = ring_impact_grip_deficit(_p_ring_friction_2, _rolling_friction_2, _rolling_friction_rate_2, _force_2, _force_rate_2)
                 _loses_2, = exceeds_grip(_grip_deficit_2, _grip_lost_2)
-                _rows120, _count121 = _most(_loses_2, _count118)
-                if _count121:
-                    _clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_clock_3, _last_grip_deficit_3, _last_grip_deficit_rate_3 = _taken(_rows120, _clock_2, _grip_deficit_2, _grip_deficit_rate_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2)
-                    _room_3 = room(_count121)
+                _rows124, _count125 = _most(_loses_2, _count122)
+                if _count125:
+                    _clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_clock_3, _last_grip_deficit_3, _last_grip_deficit_rate_3 = _taken(_rows124, _clock_2, _grip_deficit_2, _grip_deficit_rate_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2)
+                    _room_3 = room(_count125)
                     _grip_lost_3, = grip_lost_time(_clock_3, _grip_deficit_3, _grip_deficit_rate_3, _last_grip_deficit_3, _last_grip_deficit_rate_3, _last_grip_clock_3, _room_3)
-                    _grip_lost_2, = _put(_rows120, _count118, (_grip_lost_2,), (_grip_lost_3,), _loses_2)
+                    _grip_lost_2, = _put(_rows124, _count122, (_grip_lost_2,), (_grip_lost_3,), _loses_2)
                 _last_grip_deficit_2, _last_grip_deficit_rate_2, _last_grip_clock_2 = remember_grip_deficit(_clock_2, _grip_deficit_2, _grip_deficit_rate_2)
                 _stride_2, _which_2, _rests_2, _undecided_time_2 = leaving_force(_p_ball_radius_2, _p_gravity_2, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _undecided_time_2, _position_error_2, _velocity_error_2, _per_reach_2, _force_2, _force_rate_2, _force_bend_2, _friction_force_rate_2, _stride_2, _fastest_2, _room_2)
                 _gap_2, _nearing_2, _gap_curvature_2 = backboard_beside(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
@@ -11563,83 +11626,83 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, *_ = ring_round_moved(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _turn_rate_9_2, _turn_rate_10_2, _turn_rate_11_2, _turn_rate_12_2, _climb_0_2, _climb_1_2, _climb_2_2, _climb_3_2, _climb_4_2, _climb_5_2, _climb_6_2, _climb_7_2, _climb_8_2, _climb_9_2, _climb_10_2, _climb_11_2, _climb_12_2, _cosine_0_2, _cosine_1_2, _cosine_2_2, _cosine_3_2, _cosine_4_2, _cosine_5_2, _cosine_6_2, _cosine_7_2, _cosine_8_2, _cosine_9_2, _cosine_10_2, _cosine_11_2, _cosine_12_2, _sine_0_2, _sine_1_2, _sine_2_2, _sine_3_2, _sine_4_2, _sine_5_2, _sine_6_2, _sine_7_2, _sine_8_2, _sine_9_2, _sine_10_2, _sine_11_2, _sine_12_2, _along_0_2, _along_1_2, _along_2_2, _along_3_2, _along_4_2, _along_5_2, _along_6_2, _along_7_2, _along_8_2, _along_9_2, _along_10_2, _along_11_2, _along_12_2, _cos_0_2, _sin_0_2, _omega_0_2, _omega_1_2, _omega_2_2, _omega_3_2, _omega_4_2, _omega_5_2, _omega_6_2, _omega_7_2, _omega_8_2, _omega_9_2, _omega_10_2, _omega_11_2, _room_2)
                 _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = compared(_p_ball_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _stride_2, _missed_2, _neighbour_scale_2, _room_2)
                 _clock_2, _circling_2 = rolled_on(_which_2, _clock_2, _stride_2, _rests_2)
-                _going122 = _where_true(_circling_2)
-                if len(_going122) == _count118:
+                _going126 = _where_true(_circling_2)
+                if len(_going126) == _count122:
                     continue
                 _done = _where_true(_logical_not(_circling_2))
-                _store((_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows117, _done), (_circled_2, _circling_2, _clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
-                _rows117 = _of(_rows117, _going122)
-                _count118 = len(_going122)
-                if _count118 == 0:
+                _store((_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _of(_rows121, _done), (_circled_2, _circling_2, _clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), _done)
+                _rows121 = _of(_rows121, _going126)
+                _count122 = len(_going126)
+                if _count122 == 0:
                     break
-                if _count118 <= ALONE:
-                    _one_by_one(_alone27, _rows117, _going122, (_circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (), (_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn119)
+                if _count122 <= ALONE:
+                    _one_by_one(_alone27, _rows121, _going126, (_circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), (), (_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), 15 - _turn123)
                     break
-                _circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going122, _circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
+                _circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_going126, _circled_2, _circling_2, _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _time_limit_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2)
             else:
-                _store((_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows117, (_circled_2, _circling_2, _clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
+                _store((_circled_1, _circling_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _per_reach_1, _position_error_1, _rests_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,), _rows121, (_circled_2, _circling_2, _clock_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _earliest_delay_2, _grip_lost_2, _last_grip_clock_2, _last_grip_deficit_2, _last_grip_deficit_rate_2, _per_reach_2, _position_error_2, _rests_2, _through_2, _undecided_time_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2,), None)
         _rolling_1, = still_in_contact(_rolling_1, _circling_1)
-        _rows123, _count124 = _rows(_leaves_1, _count74)
-        if _count124:
-            _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _gap_jerk_2, _gap_snap_2, _held_2, _lift_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _time_limit_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows123, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _gap_jerk_1, _gap_snap_1, _held_1, _lift_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _time_limit_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count124)
+        _rows127, _count128 = _rows(_leaves_1, _count78)
+        if _count128:
+            _clock_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _gap_jerk_2, _gap_snap_2, _held_2, _lift_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _per_reach_2, _time_limit_2, _undecided_time_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows127, _clock_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _gap_jerk_1, _gap_snap_1, _held_1, _lift_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _per_reach_1, _time_limit_1, _undecided_time_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count128)
             _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
             _here_2, = holding(0.0, _held_2)
-            _rows125, _count126 = _most(_here_2, _count124)
-            if _count126:
-                _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows125, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count126)
+            _rows129, _count130 = _most(_here_2, _count128)
+            if _count130:
+                _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows129, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count130)
                 _, _, _, _per_reach_3 = ring_rolling_surface(_p_ball_radius_3, _p_wire_radius_3)
                 _lift_3, _gap_jerk_3, _gap_snap_3 = ring_separation(_p_gravity_3, _p_ring_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows125, _count124, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
+                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows129, _count128, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
             _here_2, = holding(1.0, _held_2)
-            _rows127, _count128 = _most(_here_2, _count124)
-            if _count128:
-                _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows127, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count128)
+            _rows131, _count132 = _most(_here_2, _count128)
+            if _count132:
+                _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows131, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count132)
                 _, _, _, _per_reach_3 = backboard_rolling_surface(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
                 _lift_3, _gap_jerk_3, _gap_snap_3 = backboard_separation(_p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows127, _count124, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
+                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows131, _count128, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
             _here_2, = holding(2.0, _held_2)
-            _rows129, _count130 = _most(_here_2, _count124)
-            if _count130:
-                _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows129, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count130)
+            _rows133, _count134 = _most(_here_2, _count128)
+            if _count134:
+                _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows133, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count134)
                 _, _, _, _per_reach_3 = bridge_rolling_surface(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
                 _lift_3, _gap_jerk_3, _gap_snap_3 = bridge_separation(_p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows129, _count124, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
+                _gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2 = _put(_rows133, _count128, (_gap_jerk_2, _gap_snap_2, _lift_2, _per_reach_2,), (_gap_jerk_3, _gap_snap_3, _lift_3, _per_reach_3,), _here_2)
             _free_time_2, = no_contact()
             _beside_2, = beside(0.0, _held_2)
-            _rows131, _count132 = _most(_beside_2, _count124)
-            if _count132:
-                _free_time_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows131, _free_time_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count132)
+            _rows135, _count136 = _most(_beside_2, _count128)
+            if _count136:
+                _free_time_3, _p_ball_radius_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows135, _free_time_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count136)
                 _gap_3, _nearing_3, _gap_curvature_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
                 _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
-                _free_time_2, = _put(_rows131, _count124, (_free_time_2,), (_free_time_3,), _beside_2)
+                _free_time_2, = _put(_rows135, _count128, (_free_time_2,), (_free_time_3,), _beside_2)
             _beside_2, = beside(1.0, _held_2)
-            _rows133, _count134 = _most(_beside_2, _count124)
-            if _count134:
-                _free_time_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows133, _free_time_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count134)
-                _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
-                _free_time_2, = _put(_rows133, _count124, (_free_time_2,), (_free_time_3,), _beside_2)
-            _beside_2, = beside(2.0, _held_2)
-            _rows135, _count136 = _most(_beside_2, _count124)
-            if _count136:
-                _free_time_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows135, _free_time_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count136)
-                _gap_3, _nearing_3, _gap_curvature_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
-                _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
-                _free_time_2, = _put(_rows135, _count124, (_free_time_2,), (_free_time_3,), _beside_2)
-            _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _free_time_2, _undecided_time_2 = end_plane_free_time(_p_gravity_2, _vx_2, _vy_2, _vz_2, _gap_2, _undecided_time_2, _free_time_2, _nearing_2, _gap_curvature_2, _room_2)
-            _here_2, = holding(1.0, _held_2)
-            _rows137, _count138 = _most(_here_2, _count124)
+            _rows137, _count138 = _most(_beside_2, _count128)
             if _count138:
                 _free_time_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows137, _free_time_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
                 _room_3 = room(_count138)
+                _gap_3, _nearing_3, _gap_curvature_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
+                _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
+                _free_time_2, = _put(_rows137, _count128, (_free_time_2,), (_free_time_3,), _beside_2)
+            _beside_2, = beside(2.0, _held_2)
+            _rows139, _count140 = _most(_beside_2, _count128)
+            if _count140:
+                _free_time_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows139, _free_time_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count140)
+                _gap_3, _nearing_3, _gap_curvature_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _vx_3, _vy_3, _vz_3, _room_3)
+                _free_time_3, = neighbour_free_time(_p_gravity_3, _vx_3, _vy_3, _vz_3, _gap_3, _free_time_3, _nearing_3, _gap_curvature_3, _room_3)
+                _free_time_2, = _put(_rows139, _count128, (_free_time_2,), (_free_time_3,), _beside_2)
+            _gap_2, _nearing_2, _gap_curvature_2 = end_beside(_p_end_depth_2, _z_2, _vz_2)
+            _free_time_2, _undecided_time_2 = end_plane_free_time(_p_gravity_2, _vx_2, _vy_2, _vz_2, _gap_2, _undecided_time_2, _free_time_2, _nearing_2, _gap_curvature_2, _room_2)
+            _here_2, = holding(1.0, _held_2)
+            _rows141, _count142 = _most(_here_2, _count128)
+            if _count142:
+                _free_time_3, _p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows141, _free_time_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count142)
                 _gap_3, _nearing_3, _near_3 = backboard_seam0(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _x_3, _vx_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _gap_3, _nearing_3, _near_3 = backboard_seam1(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _x_3, _vx_3)
@@ -11652,12 +11715,12 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _gap_3, _nearing_3, _near_3 = backboard_seam5(_p_ball_radius_3, _p_board_bottom_3, _p_board_top_3, _z_3, _vz_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
-                _free_time_2, = _put(_rows137, _count124, (_free_time_2,), (_free_time_3,), _here_2)
+                _free_time_2, = _put(_rows141, _count128, (_free_time_2,), (_free_time_3,), _here_2)
             _here_2, = holding(2.0, _held_2)
-            _rows139, _count140 = _most(_here_2, _count124)
-            if _count140:
-                _free_time_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows139, _free_time_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
-                _room_3 = room(_count140)
+            _rows143, _count144 = _most(_here_2, _count128)
+            if _count144:
+                _free_time_3, _p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _p_wire_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3 = _taken(_rows143, _free_time_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2)
+                _room_3 = room(_count144)
                 _gap_3, _nearing_3, _near_3 = bridge_seam0(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _x_3, _vx_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _gap_3, _nearing_3, _near_3 = bridge_seam1(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _x_3, _vx_3)
@@ -11670,40 +11733,40 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
                 _gap_3, _nearing_3, _near_3 = bridge_seam5(_p_ball_radius_3, _p_bridge_depth_3, _p_wire_radius_3, _z_3, _vz_3)
                 _free_time_3, = seam_free_time(_p_gravity_3, _gap_3, _free_time_3, _near_3, _nearing_3, _room_3)
-                _free_time_2, = _put(_rows139, _count124, (_free_time_2,), (_free_time_3,), _here_2)
+                _free_time_2, = _put(_rows143, _count128, (_free_time_2,), (_free_time_3,), _here_2)
             _when_2, _undecided_time_2 = separated(_p_gravity_2, _vx_2, _vy_2, _vz_2, _undecided_time_2, _position_error_2, _velocity_error_2, _clock_2, _time_limit_2, _per_reach_2, _free_time_2, _lift_2, _gap_jerk_2, _gap_snap_2, _room_2)
             _which_2, = detachment()
-            _position_error_1, _undecided_time_1, _velocity_error_1, _when_1, _which_1 = _put(_rows123, _count74, (_position_error_1, _undecided_time_1, _velocity_error_1, _when_1, _which_1,), (_position_error_2, _undecided_time_2, _velocity_error_2, _when_2, _which_2,))
-        _began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows73, shots, (_began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_began_1, _circled_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
+            _position_error_1, _undecided_time_1, _velocity_error_1, _when_1, _which_1 = _put(_rows127, _count78, (_position_error_1, _undecided_time_1, _velocity_error_1, _when_1, _which_1,), (_position_error_2, _undecided_time_2, _velocity_error_2, _when_2, _which_2,))
+        _began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0 = _put(_rows77, shots, (_began_0, _circled_0, _clock_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _grip_lost_0, _last_grip_clock_0, _last_grip_deficit_0, _last_grip_deficit_rate_0, _position_error_0, _rests_0, _rolling_0, _through_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0,), (_began_1, _circled_1, _clock_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _earliest_delay_1, _grip_lost_1, _last_grip_clock_1, _last_grip_deficit_1, _last_grip_deficit_rate_1, _position_error_1, _rests_1, _rolling_1, _through_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1,))
     _, _moves_0, _ends_0, _touches_0, _reached_0, _edge_0 = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
-    _rows141, _count142 = _most(_in_contact_0, shots)
-    if _count142:
-        _body_1, _mode_1, _moves_1, _touches_1 = _taken(_rows141, _body_0, _mode_0, _moves_0, _touches_0)
+    _rows145, _count146 = _most(_in_contact_0, shots)
+    if _count146:
+        _body_1, _mode_1, _moves_1, _touches_1 = _taken(_rows145, _body_0, _mode_0, _moves_0, _touches_0)
         _moves_1, _touches_1, _body_1 = nothing_happens_yet(_body_1, _touches_1, _mode_1, _moves_1)
-        _body_0, _moves_0, _touches_0 = _put(_rows141, shots, (_body_0, _moves_0, _touches_0,), (_body_1, _moves_1, _touches_1,), _in_contact_0)
-    _rows143, _count144 = _most(_moves_0, shots)
-    if _count144:
-        _clock_1, _extent_1, _p_gravity_1, _p_ring_radius_1, _position_error_1, _speed_1, _through_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows143, _clock_0, _extent_0, _p_gravity_0, _p_ring_radius_0, _position_error_0, _speed_0, _through_0, _uncertain_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
-        _room_1 = room(_count144)
+        _body_0, _moves_0, _touches_0 = _put(_rows145, shots, (_body_0, _moves_0, _touches_0,), (_body_1, _moves_1, _touches_1,), _in_contact_0)
+    _rows147, _count148 = _most(_moves_0, shots)
+    if _count148:
+        _clock_1, _extent_1, _p_gravity_1, _p_ring_radius_1, _position_error_1, _speed_1, _through_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows147, _clock_0, _extent_0, _p_gravity_0, _p_ring_radius_0, _position_error_0, _speed_0, _through_0, _uncertain_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count148)
         _undecided_1, = passing_undecided(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ring_radius_1, _p_gravity_1, _room_1)
         _uncertain_1, = undecided(_uncertain_1, _undecided_1)
         _through_1, = passing(_through_1, _when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _p_gravity_1, _room_1)
         _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _clock_1, = event_clock(_when_1, _clock_1)
-        _clock_0, _through_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows143, shots, (_clock_0, _through_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_clock_1, _through_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), _moves_0)
-    _rows145, _count146 = _most(_limited_0, shots)
-    if _count146:
-        _body_1, _clock_1, _ends_1, _reached_1, _time_limit_1, _which_1 = _taken(_rows145, _body_0, _clock_0, _ends_0, _reached_0, _time_limit_0, _which_0)
+        _clock_0, _through_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows147, shots, (_clock_0, _through_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_clock_1, _through_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), _moves_0)
+    _rows149, _count150 = _most(_limited_0, shots)
+    if _count150:
+        _body_1, _clock_1, _ends_1, _reached_1, _time_limit_1, _which_1 = _taken(_rows149, _body_0, _clock_0, _ends_0, _reached_0, _time_limit_0, _which_0)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(4.0, _which_1, _body_1, _clock_1, _reached_1, _time_limit_1, _ends_1)
-        _body_0, _clock_0, _ends_0, _reached_0 = _put(_rows145, shots, (_body_0, _clock_0, _ends_0, _reached_0,), (_body_1, _clock_1, _ends_1, _reached_1,), _limited_0)
+        _body_0, _clock_0, _ends_0, _reached_0 = _put(_rows149, shots, (_body_0, _clock_0, _ends_0, _reached_0,), (_body_1, _clock_1, _ends_1, _reached_1,), _limited_0)
     _hopped_0, = no_departure()
-    _rows147, _count148 = _most(_in_contact_0, shots)
-    if _count148:
-        _began_1, _body_1, _clock_1, _ends_1, _held_1, _last_1, _mode_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _undecided_time_1, _which_1 = _taken(_rows147, _began_0, _body_0, _clock_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rests_0, _rolling_0, _rolls_0, _undecided_time_0, _which_0)
-        _room_1 = room(_count148)
+    _rows151, _count152 = _most(_in_contact_0, shots)
+    if _count152:
+        _began_1, _body_1, _clock_1, _ends_1, _held_1, _last_1, _mode_1, _reached_1, _rests_1, _rolling_1, _rolls_1, _undecided_time_1, _which_1 = _taken(_rows151, _began_0, _body_0, _clock_0, _ends_0, _held_0, _last_0, _mode_0, _reached_0, _rests_0, _rolling_0, _rolls_0, _undecided_time_0, _which_0)
+        _room_1 = room(_count152)
         _body_1, _reached_1, _undecided_time_1, _ends_1, _hopped_1, _last_1, _mode_1, _held_1, _rolls_1 = stay_in_contact(_last_1, _which_1, _undecided_time_1, _body_1, _clock_1, _reached_1, _ends_1, _held_1, _mode_1, _rolls_1, _rolling_1, _began_1, _rests_1, _room_1)
-        _body_0, _ends_0, _held_0, _hopped_0, _last_0, _mode_0, _reached_0, _rolls_0, _undecided_time_0 = _put(_rows147, shots, (_body_0, _ends_0, _held_0, _hopped_0, _last_0, _mode_0, _reached_0, _rolls_0, _undecided_time_0,), (_body_1, _ends_1, _held_1, _hopped_1, _last_1, _mode_1, _reached_1, _rolls_1, _undecided_time_1,), _in_contact_0)
+        _body_0, _ends_0, _held_0, _hopped_0, _last_0, _mode_0, _reached_0, _rolls_0, _undecided_time_0 = _put(_rows151, shots, (_body_0, _ends_0, _held_0, _hopped_0, _last_0, _mode_0, _reached_0, _rolls_0, _undecided_time_0,), (_body_1, _ends_1, _held_1, _hopped_1, _last_1, _mode_1, _reached_1, _rolls_1, _undecided_time_1,), _in_contact_0)
     _slack_0, = displacement(_earliest_delay_0, _when_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)

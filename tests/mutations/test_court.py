@@ -7,6 +7,7 @@ and their bounding boxes, friction, the passage through the ring, single precisi
 from __future__ import annotations
 
 from functools import partial
+from itertools import product
 from types import ModuleType
 
 import pytest
@@ -24,7 +25,7 @@ from hoopgen.derive.surfaces import Box
 pytest.importorskip("flint")
 
 from tests.derive.contact import test_friction
-from tests.derive.events import test_bounding_boxes, test_near_plates
+from tests.derive.events import test_bounding_boxes, test_near_plates, test_separation
 from tests.derive.rolling import test_contact_phase, test_endless, test_settling, test_steps
 from tests.derive.scenes import test_passage, test_passage_edge, test_start_outside
 from tests.helpers.checked_faults import (
@@ -151,6 +152,16 @@ near_plates = OfKernels(
     test_near_plates.test_a_plate_that_a_flight_grazes_is_near,
     (("backboard", 0.0), ("bridge", 0.0), ("backboard", 1e-3), ("bridge", 1e-3)),
 )
+PLATES_AND_ERRORS = tuple(product(test_separation.PLATES, test_separation.ERRORS))
+comes_back = OfKernels(
+    test_separation.test_a_ball_that_comes_back_to_the_plate_it_left_approaches_it,
+    PLATES_AND_ERRORS,
+)
+slow_return = OfKernels(
+    test_separation.test_a_ball_whose_velocity_is_within_its_error_may_come_back
+)
+within_error = OfKernels(test_separation.test_a_ball_within_its_error_of_a_plate_may_touch_it)
+may_come_back = OfKernels(test_separation.test_where_an_arrival_may_be_late_a_ball_may_come_back)
 late_arrival = OfKernels(test_bounding_boxes.test_where_an_arrival_may_be_late_every_plate_is_near)
 impact_followed = OfFormulas(
     test_friction.test_the_impact_followed_over_its_impulse_ends_where_the_law_says
@@ -589,8 +600,46 @@ FAULTS = (
     ),
     Planted(
         "only the first half of a flight counts",
-        in_text(box, "may_reach_box", "Not(all_of(*apart))", "Not(apart[0])"),
+        in_text(box, "may_reach_box", "any_of(*near)", "near[0]"),
         near_plates,
+    ),
+    Planted(
+        "a flight is near the planes of a plate only where it starts",
+        in_text(box, "may_reach_plate", "maximum(place, there)", "place"),
+        near_plates,
+    ),
+    # Flights that move away from a box.
+    Planted(
+        "free fall turns a ball back half as much",
+        in_text(box, "may_approach", "horizon / 2", "horizon / 4"),
+        comes_back,
+    ),
+    Planted(
+        "the end of a flight does not count, but its middle",
+        in_text(box, "may_approach", "opening + turned)", "opening + turned / 2)"),
+        comes_back,
+    ),
+    Planted(
+        "errors do not turn a ball back",
+        in_text(box, "may_approach", " - 4 * error", ""),
+        slow_return,
+    ),
+    Planted(
+        "a ball within its error of a box is outside of it",
+        in_text(box, "may_approach", "box.radius**2 + 4 * barrier(off * length)", "box.radius**2"),
+        within_error,
+    ),
+    Planted(
+        "what moves away once has always done so",
+        in_text(box, "may_approach", "any_of(AtMost(1, leaving), outside)", "AtMost(0, leaving)"),
+        within_error,
+    ),
+    Planted(
+        "a ball comes back no later than its earliest arrival",
+        in_text(
+            box, "may_approach", "AtMost(earliest_delay, pad)", "AtMost(earliest_delay, pad + 1)"
+        ),
+        may_come_back,
     ),
     Planted(
         "an arrival that may be late is not awaited",

@@ -34,7 +34,7 @@ from ..statements import (
     Table,
 )
 from .hierarchy import GroupContext
-from .inner_columns import columns_within
+from .inner_columns import columns_within, read_within
 from .masked_loop import Around, Statements
 from .spelling import TYPES, any_lane, at, both, load, numbered_column, offset, store
 from .transfers import MIN_COPIED
@@ -95,6 +95,8 @@ class CompactedLoop(TurnLoop):
         The list that the pass at hand goes over.
     inner
         By a guarded body of the pass at hand, the columns that it stores; whether it loads them.
+    inner_reads
+        By a rare body of the pass at hand, the columns that it loads and does not store.
     over_rows
         Whether the passes at hand are repeated for each row of a table.
     """
@@ -103,6 +105,7 @@ class CompactedLoop(TurnLoop):
     beside: Statements = field(default_factory=list)
     frame: GroupContext = field(default_factory=lambda: GroupContext("", {}))
     inner: dict[int, dict[str, bool]] = field(default_factory=dict)
+    inner_reads: dict[int, list[str]] = field(default_factory=dict)
     over_rows: bool = False
 
     def passes(
@@ -300,9 +303,19 @@ class CompactedLoop(TurnLoop):
         outer = frame.outer & set(written)
         need = live_before(without_rows(nodes), wanted) | outer
         own_columns = set(stored) & set(frame.known)
-        self.inner = columns_within(nodes if cut is None else (), own_columns, shared, self.cheap)
+        asked = shared | ({cut.truth} if cut else set())
+        self.inner = columns_within(nodes, own_columns, asked, self.cheap)
         inside = {name for names in self.inner.values() for name in names}
-        need -= {name for names in self.inner.values() for name, loaded in names.items() if loaded}
+        alone = {name for names in self.inner.values() for name, loaded in names.items() if loaded}
+        # What the pass only hands on is loaded where a row of lanes has something to pack.
+        used = set(stored) | ({cut.truth} if cut else set()) | (shared - set(written))
+        direct = live_before(without_rows(nodes), used) | outer
+        late = (need - direct - set(written)) & set(frame.known) | alone & set(takes)
+        need -= alone | late
+        elsewhere = used | outer | set(written)
+        self.inner_reads = read_within(nodes, need & set(frame.known) - elsewhere, self.cheap)
+        within = {name for names in self.inner_reads.values() for name in names}
+        need, late = need - within, late | within & set(takes)
         own = GroupContext(f"{frame.prefix}{cut.truth}_" if cut else "", {})
         copied: list[str] = []
         self.frame = frame
@@ -315,6 +328,7 @@ class CompactedLoop(TurnLoop):
             kind = known[name] = frame.known[name]
             body.append(Declare(name, TYPES[kind], load(kind, at(frame.column(name), "i"))))
         known |= dict.fromkeys(self.parameters, "double")
+        known |= {name: frame.known[name] for name in late}
         body += self._with_insertion(nodes, known, set(outer), wanted, inserted)
         for name, kind in stored.items():
             self._column(frame, name, kind)
@@ -325,7 +339,8 @@ class CompactedLoop(TurnLoop):
             homes = set(stored) | set(frame.known) - set(written)
             copied = [] if frame.prefix else [n for n in takes if n in homes and n != cut.truth]
             copied = copied if len(copied) >= MIN_COPIED else []
-            body += self._pack(cut, frame, own, takes, known, copied)
+            loaded = sorted(late - set(copied))
+            body += self._pack(cut, frame, own, takes, known, copied, loaded)
         read = visitors.live_before(body)
         body[:0] = [
             Declare(name, "V", self._parameter(frame, name), constant=True)
@@ -351,6 +366,9 @@ class CompactedLoop(TurnLoop):
         Arguments as for `hoopgen.codegen.c.masked_loop.MaskedLoop.beside_body`.
         """
         begin, finish = Statements(), Statements()
+        for name in self.inner_reads.get(id(node), ()):
+            kind = known[name] = self.frame.known[name]
+            begin.append(Declare(name, TYPES[kind], load(kind, at(self.frame.column(name), "i"))))
         for name, loaded in self.inner.get(id(node), {}).items():
             kind = self.frame.known[name]
             place = at(self.frame.column(name), "i")

@@ -55,3 +55,23 @@ def _written_within(
     own = columns & set(writes(node.body)) - set(writes(others))
     elsewhere = reads(others) | shared | {node.truth}
     return {name: name not in elsewhere for name in sorted(own)}
+
+
+def read_within(
+    nodes: Sequence[Node], columns: Set[str], cheap: Callable[[If], bool]
+) -> dict[int, list[str]]:
+    """Return the columns that each rare body loads and does not store, by its node's identity.
+
+    Parameters
+    ----------
+    nodes
+        The nodes of a pass.
+    columns
+        The columns that nothing else than these nodes reads, and that they do not write.
+    cheap
+        As for `columns_within`.
+    """
+    rare = [node for node in nodes if isinstance(node, If) and node.rare and not cheap(node)]
+    others = [node for node in nodes if node not in rare]
+    own = columns - reads(others) - {node.truth for node in rare}
+    return {id(node): sorted(own & reads(node.body)) for node in rare}

@@ -31,6 +31,7 @@ from .hierarchy import GroupContext
 from .masked_loop import Statements
 from .outlining import OutlinedLoop
 from .spelling import (
+    TYPES,
     at,
     both,
     column_of,
@@ -112,6 +113,7 @@ class TransferLoop(OutlinedLoop):
         takes: Sequence[str],
         known: Mapping[str, Kind],
         copied: Sequence[str],
+        loaded: Sequence[str],
     ) -> Statements:
         """Return the statement that appends the shots of a guarded body to its list.
 
@@ -127,10 +129,18 @@ class TransferLoop(OutlinedLoop):
             The kinds of variables.
         copied
             The variables that `_copy` takes to the list.
+        loaded
+            The variables that are loaded for it alone.
         """
         packed = Name("packed")
         number = Operate("add", (Apply("iota"), Apply("K", (Cast("double", Name("i")),))))
-        moves = [pack("double", at(own.column("row"), own.count), packed, number)]
+        moves = [
+            *(
+                Declare(name, TYPES[known[name]], load(known[name], at(frame.column(name), "i")))
+                for name in loaded
+            ),
+            pack("double", at(own.column("row"), own.count), packed, number),
+        ]
         to, source = self._taken(own, "_p"), self._taken(own, "_p", frame.prefix)
         value = load("double", offset(source, Name("i")))
         own_row = offset(to, Name(own.count))

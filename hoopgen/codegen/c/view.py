@@ -11,6 +11,7 @@ from hoopgen.derive.ir import event_tree as ir
 from hoopgen.derive.ir.event_tree import Node, live_before, needed, writes
 from hoopgen.derive.ir.kernel import Kind
 from hoopgen.derive.loop.loop import REVIEW, Loop
+from hoopgen.derive.state.fields import ResultField
 from hoopgen.derive.symbolic.conditionals import Boolean
 from hoopgen.derive.symbolic.symbols import STATE
 
@@ -126,6 +127,8 @@ class CVariant:
         The prefixes of the lists that have columns for parameters.
     functions
         What they do in functions of their own.
+    reported
+        Fields that only results need, by the C condition that one of these is requested.
     """
 
     variant: Variant
@@ -133,6 +136,7 @@ class CVariant:
     columns: Mapping[str, Kind]
     parameter_lists: Sequence[str]
     functions: Sequence[Function] = field(repr=False)
+    reported: Mapping[str, Sequence[str]] = field(default_factory=dict)
 
     @cached_property
     def lines(self) -> dict[str, list[str]]:
@@ -255,7 +259,18 @@ def loop_view(
         {name: kind for name, kind in beside.items() if name not in loop.kinds},
         [p for p in {**admitting.parameter_lists, **following.parameter_lists} if p],
         [*admitting.functions, *following.functions],
+        _reported(variant, written),
     )
+
+
+def _reported(variant: Variant, results: Iterable[ResultField]) -> dict[str, list[str]]:
+    """Return the kept fields that only results need, by the condition that one is requested."""
+    influential, found = variant.loop.influential, dict[str, list[str]]()
+    for name in variant.kept:
+        of = [f"job->results->{r.name}" for r in results if name in r.columns and not r.is_counted]
+        if of and name not in influential and name not in STATE_NAMES:
+            found.setdefault(" || ".join(of), []).append(name)
+    return found
 
 
 def _ahead(lowered: LoweredScene) -> Statement:

@@ -208,6 +208,7 @@ PREMISES: dict[str, Premise] = {
         "disjoint boxes",
         _kernels("common.swept common.half_flight_boxes *.near *.near_any *.box"),
     ),
+    "separation": Premise(LEMMA, "a ball that moves away from a box", _kernels("box.approaches")),
     "passage": Premise(LEMMA, "passage through the ring", _kernels("common.passing*")),
     # Errors
     "carried": Premise(

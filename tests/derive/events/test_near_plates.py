@@ -52,11 +52,17 @@ def grazing(plate: str, rows: int, errors: float, seed: int) -> dict[str, Any]:
     }
 
 
+def called_near(plate: str, known: dict[str, Any], part: str) -> Any:
+    """Return what a kernel of a plate says of flights: whether they are near."""
+    name = f"{plate}_{part}"
+    return getattr(court, name)(*(known[argument] for argument in court.ARGUMENTS[name]))[0]
+
+
 @pytest.mark.parametrize("errors", [0.0, 1e-3])
 @pytest.mark.parametrize("plate", ["backboard", "bridge"])
 def test_a_plate_that_a_flight_grazes_is_near(plate: str, errors: float) -> None:
     known = grazing(plate, trials(5000, at_least=5000), errors, seed=4)
-    for name in ("half_flight_boxes", f"{plate}_near"):
-        found = getattr(court, name)(*(known[argument] for argument in court.ARGUMENTS[name]))
-        known |= dict(zip(court.OUTPUTS[name], found, strict=True))
-    assert np.all(known["near"])
+    name = "half_flight_boxes"
+    boxes = getattr(court, name)(*(known[argument] for argument in court.ARGUMENTS[name]))
+    known |= dict(zip(court.OUTPUTS[name], boxes, strict=True))
+    assert np.all(called_near(plate, known, "near"))
