@@ -129,15 +129,40 @@ def expected(kernels: ModuleType, shots: Iterable[Batch], *, bounds: bool = True
     """
     layout = result_arrays.Layout(kernels)
     fields = layout.fields + layout.bounds if bounds else _path(layout)
-    found: Expected = []
-    for batch in shots:
-        states, parameters, leaving, limit = batch
+    given = list(shots)
+    found: dict[int, result_arrays.ResultArrays] = {}
+    # NumPy takes hardly longer for all that have the same limit than for one of them.
+    for limit in dict.fromkeys(limit for *_, limit in given):
+        alike = [k for k, batch in enumerate(given) if batch[3] == limit]
+        states, parameters, leaving, _ = _together([given[k] for k in alike], limit)
         wanted = _room(len(states), layout, fields)
         numpy_backend.run(
             kernels, states, parameters, leaving, MAX_CONTACTS, wanted, time_limit=limit
         )
-        found.append((batch, wanted))
-    return found
+        start = 0
+        for k in alike:
+            found[k] = wanted.rows(start, start + len(given[k][0]))
+            found[k].arrays["events"]["shot"] -= start
+            start += len(given[k][0])
+    return [(batch, found[k]) for k, batch in enumerate(given)]
+
+
+def _together(batches: Sequence[Batch], limit: float) -> Batch:
+    """Return several batches with the same time limit as one."""
+    counts = [len(states) for states, *_ in batches]
+
+    def joined(values: Iterable[Any], dtype: type) -> NDArray[Any]:
+        each = zip(values, counts, strict=True)
+        return np.concatenate([np.full(count, value, dtype) for value, count in each])
+
+    columns = zip(*(parameters for _, parameters, _, _ in batches), strict=True)
+    left = [-1 if leaving is None else leaving for _, _, leaving, _ in batches]
+    return (
+        np.concatenate([states for states, *_ in batches]),
+        [joined(values, np.float64) for values in columns],
+        joined(left, np.int8),
+        limit,
+    )
 
 
 def differences(engine: CompiledEngine, kernels: ModuleType, shots: Expected) -> str:
@@ -162,17 +187,9 @@ def differences(engine: CompiledEngine, kernels: ModuleType, shots: Expected) ->
             # Without diagnostic results another path through the engine is taken.
             for fields in dict.fromkeys((every, _path(layout))):
                 got = _room(len(states), layout, fields)
+                given = (states, parameters, leaving, MAX_CONTACTS, got, stop, width)
                 try:
-                    engine.run(
-                        states,
-                        parameters,
-                        leaving,
-                        MAX_CONTACTS,
-                        got,
-                        stop,
-                        width,
-                        time_limit=limit,
-                    )
+                    engine.run(*given, time_limit=limit)
                 except InexactBuildError:
                     wrong.append("arithmetic")
                     continue
@@ -266,19 +283,11 @@ def available_widths(engine: CompiledEngine, kernels: ModuleType) -> list[int]:
         As for `differences`.
     """
     nothing = np.empty((0, len(kernels.STATE)))
-    parameters = [0.0] * len(kernels.PARAMETERS)
+    parameters, none = [0.0] * len(kernels.PARAMETERS), result_arrays.ResultArrays()
     there = []
     for width in WIDTHS:
         try:
-            engine.run(
-                nothing,
-                parameters,
-                None,
-                1,
-                result_arrays.ResultArrays(),
-                np.zeros(1, np.int32),
-                width,
-            )
+            engine.run(nothing, parameters, None, 1, none, np.zeros(1, np.int32), width)
         except ValueError:
             continue
         except InexactBuildError:

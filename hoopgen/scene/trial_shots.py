@@ -14,7 +14,7 @@ from hoopgen.engine.verification import Batch, batches
 
 SHOTS = 500
 
-TIME_LIMIT = 0.5
+TIME_LIMIT = 0.125
 """A time limit in the midst of things, s; the only one where balls may roll for ever, which takes
 NumPy long."""
 

@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from importlib.resources.abc import Traversable
 from typing import Any
 
+from hoopgen.derive.scenes import SCENES
+
 from ..backend import TEMPLATES, LoweredScene, ResultView
 from ..formatter import Spelling
 from ..identifiers import identifier
@@ -68,7 +70,12 @@ class CBackend:
         own = lowered.partial_evaluations
         hoisted = Hoisted(own)
         # The last bounds errors, and has all that the first has.
-        views = [loop_view(lowered, v, self.options, hoisted) for v in reversed(lowered.variants)]
+        # A compiler's time grows faster than a function, and most of these scenes have many bodies.
+        apart = lowered.model.scene not in SCENES
+        views = [
+            loop_view(lowered, v, self.options, hoisted, apart=apart)
+            for v in reversed(lowered.variants)
+        ]
         return {
             "loops": views[::-1],
             "fixed": hoisted.counts,

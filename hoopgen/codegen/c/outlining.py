@@ -45,6 +45,24 @@ class OutlinedLoop(GroupedLoop):
         given = {value: kind for value, kind in types.items() if value in needed}
         return If(Name(frame.count), (self._function(name, given, body),))
 
+    def apart(self, passes: Sequence[Statement]) -> Statements:
+        """Make a function of each pass over the shots in flight, and return their calls.
+
+        Parameters
+        ----------
+        passes
+            The passes, in order, none of which declares what another reads.
+        """
+        shots = dict.fromkeys(("shots", "fresh", "begun", "varying"), "size_t")
+        types = shots | dict.fromkeys(("recording", "streams"), "int")
+        types |= {"job": f"const {self.prefix}_job *"} | dict.fromkeys(self.job, "V")
+        calls: Statements = []
+        for one in passes:
+            needed = live_before([one])
+            given = {value: kind for value, kind in types.items() if value in needed}
+            calls.append(self._function(self.fresh("pass").lstrip("_"), given, [one]))
+        return calls
+
     def _function(
         self, name: str, given: Mapping[str, str], body: Sequence[Statement]
     ) -> Statement:

@@ -174,6 +174,8 @@ def loop_view(
     variant: Variant,
     options: Options,
     hoisted: Hoisted,
+    *,
+    apart: bool,
 ) -> CVariant:
     """Return a variant of the event loop in C; its loop invariant results join those `hoisted`.
 
@@ -187,6 +189,8 @@ def loop_view(
         The thresholds by which C chooses between ways of writing the same.
     hoisted
         The loop invariant results so far, of all variants; it is changed.
+    apart
+        Whether each pass of a flight is a function of its own.
 
     Returns
     -------
@@ -224,6 +228,8 @@ def loop_view(
     following.beside = [_ahead(lowered)]
     record = _record(len(reach), loop)
     follow = following.passes((*reach, *meet), GroupContext("", dict(loop.kinds)), fields, record)
+    if apart:
+        follow = following.apart(follow)
     beside: dict[str, Kind] = {"body": "double", **admitting.columns, **following.columns}
     written = [r for r in lowered.model.results if variant.bounds or not r.is_diagnostic]
     results = {name for r in written if not r.is_counted for name in r.columns}
