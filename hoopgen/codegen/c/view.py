@@ -190,7 +190,7 @@ def loop_view(
     hoisted
         The loop invariant results so far, of all variants; it is changed.
     apart
-        Whether each pass of a flight is a function of its own.
+        Whether each pass of a flight may be a function of its own.
 
     Returns
     -------
@@ -228,7 +228,8 @@ def loop_view(
     following.beside = [_ahead(lowered)]
     record = _record(len(reach), loop)
     follow = following.passes((*reach, *meet), GroupContext("", dict(loop.kinds)), fields, record)
-    if apart:
+    # Tables that are made once for all passes belong to the function of these.
+    if apart and not following.once:
         follow = following.apart(follow)
     beside: dict[str, Kind] = {"body": "double", **admitting.columns, **following.columns}
     written = [r for r in lowered.model.results if variant.bounds or not r.is_diagnostic]
