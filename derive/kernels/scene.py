@@ -308,13 +308,6 @@ def _proved_errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, 
     """Return the kernels of proved bounds on errors; those at a contact are of its law."""
     flight, bounds = scene.parabola, contact_frames.error_bounds()
     presupposed = premises.premises(scene)
-    holds = kernel(
-        "premises",
-        presupposed or {},
-        order,
-        "Whether a shot that is released in flight fulfils the premises of the proved bounds.",
-        "conservation of energy",
-    )
     return (
         kernel(
             "normal_velocity",
@@ -354,7 +347,19 @@ def _proved_errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, 
                 ("claimed_errors", "Bounds on the errors of state and time that are reported."),
             )
         ),
-        *([holds] if presupposed else []),
+        *(
+            [
+                kernel(
+                    "premises",
+                    presupposed,
+                    order,
+                    "Whether a shot released in flight fulfils the premises of the proved bounds.",
+                    "conservation of energy",
+                )
+            ]
+            if presupposed
+            else []
+        ),
     )
 
 

@@ -63,7 +63,7 @@ class Loop:
 
     @property
     def influential(self) -> frozenset[str]:
-        """The variables of which another one depends, or what is done with a shot."""
+        """The variables on which another one, or what is done with a shot, depends."""
         found: set[str] = set()
         for node in (node for stage in self.stages.values() for node in walk(stage)):
             if isinstance(node, Call):

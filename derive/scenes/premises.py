@@ -8,16 +8,26 @@ is the last time at which anything is asked of the flight.
 Let the ball be released in flight and have N contacts, with the restitution e <= 1 and the inertia
 κ. With S the sum of the sizes of h and of the scene's lengths, X that of the release's coordinates,
 and U = |v|² + κ R_B² |w|² + 2 g (X + S) of the release in Euclid's norms, all flights are such ones
-if X + S + (2 N + 12) U/g <= 2^16 R.
+if X + S + (2 N + 12) U/g <= 2^16 R, and if the ball is released above h, or comes to h upwards and
+meets nothing before.
 
-*Proof.* A contact without slip adds no energy, so |v|² <= U wherever the ball is above h, and each
-flight reaches h, or ends before, within 2 sqrt(U)/g. Nothing is asked that is later by more than a
-hundredth (`padded_horizon`), so T (|v| + g T) <= 2.02 sqrt(U)/g (sqrt(3 U) + 2.02 sqrt(U)) < 8 U/g.
-With α the angle of its velocity at the start above the horizon, a flight takes the ball away by at
-most cos α (sin α + 1) U/g < 1.3 U/g, which is a sum of two sizes below 2 U/g. In N contacts it
-moves so N times, and it stays between -S and X + S + U/(2 g). So |x| <= X + S + (2 N + 1) U/g. ∎
+It meets nothing before if it comes nearer to the axis until then and is there still further from
+it than R_H + R of each ring, if it is on the same side of each vertical plane at the release and
+there, and if no level plane of a body is below h.
 
-Each condition is tested with 2^-20 of room, for roundings.
+*Proof.* Whoever is above h stays there until the shot ends: so all flights but the first begin
+above h, and each flight comes to h downwards, or ends before. A contact without slip adds no
+energy, so |v|² <= U, and a flight takes at most 2 sqrt(U)/g. Nothing is asked that is later by more
+than a hundredth (`padded_horizon`), so that T (|v| + g T) <= 2.02 sqrt(U)/g (sqrt(3 U) + 2.02
+sqrt(U)) < 8 U/g. With α the angle of its velocity at the start above the horizon, a flight takes
+the ball away by at most cos α (sin α + 1) U/g < 1.3 U/g, which is a sum of two sizes below 2 U/g.
+In N contacts it moves so N times, and it stays between -S and X + S + U/(2 g). So |x| <= X + S +
+(2 N + 1) U/g. Horizontally it flies straight, so it comes nearer to the axis until h if it does so
+there, and crosses no vertical plane of which it is on the same side at both ends. ∎
+
+Each condition is tested with room for roundings: 2^-20 of the sizes compared, and where it is at h,
+2^-20 of X + S + U/g. There vz² exceeds 2 g (h - z) by 2^-20 of itself, so that the time is off by
+less than 2^-30 vz/g.
 """
 
 from __future__ import annotations
@@ -25,7 +35,16 @@ from __future__ import annotations
 import sympy as sp
 
 from ..surfaces import Plane, Ring
-from ..symbolic.conditionals import AtMost, absolute, all_of, barrier
+from ..symbolic.conditionals import (
+    AtMost,
+    Less,
+    absolute,
+    all_of,
+    any_of,
+    barrier,
+    maximum,
+    minimum,
+)
 from ..symbolic.error_terms import contacts
 from ..symbolic.symbols import POSITION, SPIN, VELOCITY
 from .scene import Scene
@@ -36,8 +55,8 @@ LARGEST = sp.Integer(2**16)
 NARROWEST, WIDEST = sp.Rational(3, 2), sp.Integer(16)
 """Smallest and largest R_H over R."""
 
-ROOM = 1 + sp.Rational(1, 2**20)
-"""Room for roundings."""
+ROOM = sp.Rational(1, 2**20)
+"""Room for roundings, a share of sizes."""
 
 
 def premises(scene: Scene) -> dict[str, sp.Basic] | None:
@@ -61,22 +80,64 @@ def premises(scene: Scene) -> dict[str, sp.Basic] | None:
     rings = [surface for surface in scene.surfaces if isinstance(surface, Ring)]
     if not (scene.proves_errors and floors and rings):
         return None
-    ball, gravity = scene.ball, scene.flight.strength
+    ball, gravity, height = scene.ball, scene.flight.strength, barrier(floors[0].offset)
     around = barrier(
-        sp.Add(*map(absolute, POSITION))
-        + sp.Add(*map(absolute, scene.lengths))
-        + absolute(floors[0].offset)
+        sp.Add(*map(absolute, POSITION)) + sp.Add(*map(absolute, scene.lengths)) + absolute(height)
     )
     spinning = barrier(ball.inertia * ball.radius**2) * barrier(sp.Add(*(w**2 for w in SPIN)))
     energy = barrier(sp.Add(*(v**2 for v in VELOCITY)) + spinning)
-    height = barrier(energy / gravity + 2 * around)
-    size = barrier(around + barrier(2 * contacts + 12) * height)
+    reach = barrier(energy / gravity + 2 * around)
+    size = barrier(around + barrier(2 * contacts + 12) * reach)
     conditions = [AtMost(law.restitution_at(sp.Integer(0)), 1) for law in scene.laws]
     for ring in rings:
-        reach, radius = barrier(ring.reach), ring.ring_radius
         conditions += [
-            AtMost(ROOM * size, LARGEST * reach),
-            AtMost(NARROWEST * ROOM * reach, radius),
-            AtMost(ROOM * radius, WIDEST * reach),
+            AtMost((1 + ROOM) * size, LARGEST * ring.reach),
+            AtMost((1 + ROOM) * NARROWEST * ring.reach, ring.ring_radius),
+            AtMost((1 + ROOM) * ring.ring_radius, WIDEST * ring.reach),
         ]
-    return {"premised": all_of(*conditions)}
+    *_, z = POSITION
+    above = AtMost(barrier(height + ROOM * around), z)
+    conditions.append(any_of(above, _rises(scene, height, barrier(ROOM * barrier(around + reach)))))
+    return {"holds": all_of(*conditions)}
+
+
+def _rises(scene: Scene, height: sp.Expr, room: sp.Expr) -> sp.Basic:
+    """Return whether the ball comes to a height upwards and meets nothing before.
+
+    Parameters
+    ----------
+    scene
+        A scene of rings and planes.
+    height
+        The height, m.
+    room
+        Room for roundings of the place there, m.
+    """
+    (x, y, z), (vx, vy, vz), gravity = POSITION, VELOCITY, scene.flight.strength
+    squared = barrier(vz**2)
+    left = barrier(squared - 2 * gravity * barrier(height - z))
+    duration = barrier(barrier(vz - sp.sqrt(maximum(left, 0))) / gravity)
+    there = dict(
+        zip((x, y), (barrier(c + v * duration) for c, v in ((x, vx), (y, vy))), strict=True)
+    )
+    conditions = [
+        Less(0, vz),
+        AtMost(ROOM * squared, left),
+        AtMost(
+            barrier(there[x] * vx + there[y] * vy) + room * barrier(absolute(vx) + absolute(vy)), 0
+        ),
+    ]
+    away = barrier(sp.sqrt(barrier(there[x] ** 2 + there[y] ** 2)))
+    for surface in scene.surfaces:
+        if isinstance(surface, Ring):
+            conditions.append(Less(barrier(surface.ring_radius + surface.reach + room), away))
+        elif isinstance(surface, Plane) and surface.direction[2]:
+            level = barrier(surface.direction[2] * surface.offset)
+            conditions.append(AtMost(barrier(height + room), level))
+        elif isinstance(surface, Plane):
+            axis = next(k for k, d in enumerate(surface.direction) if d)
+            ends = (POSITION[axis], there[POSITION[axis]])
+            gaps = [barrier(surface.direction[axis] * c - surface.offset) for c in ends]
+            before = Less(room, barrier(minimum(*gaps)))
+            conditions.append(any_of(before, Less(barrier(maximum(*gaps)), -room)))
+    return all_of(*conditions)

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene hoop, derivation 5209aef618bec63d,
+   Generated from templates/c/loop.h.j2, scene hoop, derivation e60270a326e07e99,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is

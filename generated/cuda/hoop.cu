@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation 5209aef618bec63d,
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation e60270a326e07e99,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 5209aef618bec63d,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation e60270a326e07e99,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -346,7 +346,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "carry_time": ("position_bound", "velocity_bound", "spin_bound", "clock_error",),
     "error_bounds": ("position_error", "velocity_error", "spin_error", "time_error",),
     "claimed_errors": ("position_error", "velocity_error", "spin_error", "time_error",),
-    "premises": ("premised",),
+    "premises": ("holds",),
     "allowed": ("allowed",),
     "parameters_in_range": ("permitted",),
     "valid": ("valid", "undecided_time",),
@@ -938,17 +938,29 @@ def claimed_errors(clock_error: Any, position_bound: Any, velocity_bound: Any, s
 
 
 def premises(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, contacts: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_restitution: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
-    """Whether a shot that is released in flight fulfils the premises of the proved bounds.
+    """Whether a shot released in flight fulfils the premises of the proved bounds.
 
-    conservation of energy. 60 operations: 21 additions, 17 multiplications, 1 division, 1 negation, 13 absolute values, 4 comparisons, 3 conjunctions.
+    conservation of energy. 125 operations: 38 additions, 5 subtractions, 32 multiplications, 2 divisions, 2 square roots, 2 negations, 15 absolute values, 15 comparisons, 9 conjunctions, 2 disjunctions, 3 selections.
     """
-    _s0 = ((((vx * vx) + (vy * vy)) + (vz * vz)) + ((0.6666666666666666 * (p_ball_radius * p_ball_radius)) * (((wx * wx) + (wy * wy)) + (wz * wz)))) / p_gravity
-    _s1 = ((((_absolute(p_ball_radius) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_bottom)
-    _s2 = ((((_s1 + _absolute(p_board_top)) + _absolute(p_bridge_half_width)) + _absolute((-p_end_depth))) + _absolute(p_end_depth)) + _absolute(x)
-    _s3 = (_s2 + _absolute(y)) + _absolute(z)
-    _s4 = p_ball_radius + p_wire_radius
-    _s5 = (1.0000009536743164 * (((12.0 + (2.0 * contacts)) * (_s0 + (2.0 * _s3))) + _s3)) <= (65536.0 * _s4)
-    return _logical_and(_logical_and(_logical_and((p_restitution <= 1.0), _s5), ((1.5000014305114746 * _s4) <= p_ring_radius)), ((1.0000009536743164 * p_ring_radius) <= (16.0 * _s4))),
+    _s0 = vz * vz
+    _s1 = ((((vx * vx) + (vy * vy)) + _s0) + ((0.6666666666666666 * (p_ball_radius * p_ball_radius)) * (((wx * wx) + (wy * wy)) + (wz * wz)))) / p_gravity
+    _s2 = ((((_absolute(p_ball_radius) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_bottom)
+    _s3 = ((((_s2 + _absolute(p_board_top)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth)) + _absolute(x)) + _absolute(y)
+    _s4 = -p_end_depth
+    _s5 = (_s3 + _absolute(z)) + _absolute(_s4)
+    _s6 = _s1 + (2.0 * _s5)
+    _s7 = (1.0000009536743164 * (((12.0 + (2.0 * contacts)) * _s6) + _s5)) <= ((65536.0 * p_ball_radius) + (65536.0 * p_wire_radius))
+    _s8 = _s0 - ((2.0 * p_gravity) * (_s4 - z))
+    _s9 = 9.5367431640625e-07 * (_s6 + _s5)
+    _s10 = (vz - _sqrt(_where(_s8 < 0.0, 0.0, _s8))) / p_gravity
+    _s11 = x + (vx * _s10)
+    _s12 = y + (vy * _s10)
+    _s13 = _logical_and(_logical_and((0.0 < vz), ((9.5367431640625e-07 * _s0) <= _s8)), ((((_absolute(vx) + _absolute(vy)) * _s9) + ((vx * _s11) + (vy * _s12))) <= 0.0))
+    _s14 = (p_board_distance + _s11) - p_ball_radius
+    _s15 = (p_board_distance + x) - p_ball_radius
+    _s16 = _logical_and(_logical_and(_s13, ((((p_ball_radius + p_ring_radius) + p_wire_radius) + _s9) < _sqrt(((_s11 * _s11) + (_s12 * _s12))))), _logical_or((_s9 < _where(_s14 < _s15, _s14, _s15)), (_where(_s15 < _s14, _s14, _s15) < (-_s9))))
+    _s17 = _logical_and(_logical_and(_logical_and(_logical_and((p_restitution <= 1.0), _s7), (((1.5000014305114746 * p_ball_radius) + (1.5000014305114746 * p_wire_radius)) <= p_ring_radius)), ((1.0000009536743164 * p_ring_radius) <= ((16.0 * p_ball_radius) + (16.0 * p_wire_radius)))), _logical_or(((_s4 + (9.5367431640625e-07 * _s5)) <= z), _logical_and(_s16, ((_s4 + _s9) <= (p_ball_radius + p_wire_radius)))))
+    return _s17,
 
 
 def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_bridge_half_width: Any, p_restitution: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:

@@ -137,8 +137,8 @@ class Shots:
     def proved(self) -> NDArray[np.bool_]:
         """The shots of which `uncertain`, `time_error` and `state_error` are proved, bool (n,).
 
-        They are for balls that are released in flight in `HOOP`, and in scenes of level rings and
-        planes without slip, of usual sizes, and if the judge settled the shot; else estimated.
+        They are for balls released in flight in `HOOP`, and in scenes of level rings and planes
+        without slip, of usual sizes, that rise to the end's plane freely; and if settled.
         """
         own = self.to_numpy()
         return self._premises.proved(self.scene, own.releases, own.parameters, own.contacts)

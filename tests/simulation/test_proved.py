@@ -14,7 +14,8 @@ from hoopgen.derive.scenes.premises import premises
 
 import hoopgen
 from benchmarks.families import FAMILIES
-from hoopgen import COURT, NBA, PAPER, Event
+from hoopgen import COURT, NBA, PAPER, Event, Outcome
+from hoopgen.core.variables import STATE
 from hoopgen.scene.files import load_scene
 
 FREE_THROW = [4.2, 0.0, -0.9, -4.4, 0.0, 5.6, 0.0, 18.0, 0.0]
@@ -26,9 +27,9 @@ def proved(states: Any, parameters: Any = None, **options: Any) -> list[bool]:
 
 
 def test_shots_of_the_hoop_are_and_those_of_other_scenes_are_not() -> None:
-    for family in FAMILIES:
-        states, parameters = family.make(50)
-        assert all(proved(states, parameters)), family.key
+    shares = {family.key: float(np.mean(proved(*family.make(200)))) for family in FAMILIES}
+    assert {shares[key] for key in ("W1", "W2", "W3", "W4")} == {1.0}
+    assert min(shares.values()) > 0.4  # some are released below the ring and close to it
     assert proved(FREE_THROW, NBA) == [True]
     assert proved(FREE_THROW, fields=("contacts",)) == [True]
     with pytest.raises(AttributeError, match=r"^contacts: not among the fields asked for: outcome"):
@@ -83,8 +84,49 @@ def test_sizes_count(change: dict[str, float], ratio: float, holds: bool) -> Non
     state = np.array(FREE_THROW)
     state[3:6] *= ratio
     if "board_distance" in change:
-        state[3:] *= 0.01
+        state[2], state[3:] = 0.5, 0.0
     assert proved(state, {**PAPER, **change}) == [holds]
+
+
+LAYUP = [0.55, 0.0, -0.9, -0.8, 0.0, 5.6, 0.0, 0.0, 0.0]
+
+
+@pytest.mark.parametrize(
+    ("changes", "holds"),
+    [
+        ({}, True),
+        ({"z": 0.5, "vz": -1.0}, True),  # from above
+        ({"z": 0.5, "x": 0.3, "vz": -1.0}, True),
+        ({"x": 0.5}, False),  # below the ring when it comes up
+        ({"vx": 0.8, "x": 0.2}, False),  # away from below the ring
+        ({"vx": 0.8}, False),
+        ({"vz": 4.1}, False),  # never comes up
+        ({"vz": -1.0}, False),
+        ({"x": -0.5, "vx": 0.5}, True),  # behind the board
+        ({"x": -0.4, "y": 1.5, "vx": 3.0, "vy": -3.0}, False),  # through the plane of the board
+    ],
+)
+def test_a_ball_from_below_comes_up_and_meets_nothing_before(
+    changes: dict[str, float], holds: bool
+) -> None:
+    state = dict(zip(STATE, LAYUP, strict=True)) | changes
+    assert proved(list(state.values())) == [holds]
+
+
+def test_all_flights_of_proved_shots_come_down_to_the_end() -> None:
+    """The first one from below rises to the end's plane, and all contacts are above it."""
+    known = 0
+    for family in FAMILIES:
+        states, parameters = family.make(400)
+        shots = hoopgen.simulate(states, parameters, record=True)
+        log, holds = shots.events, shots.proved
+        depth = np.broadcast_to(shots.parameters["end_depth"], len(shots))
+        impacts = log[log["kind"] == Event.IMPACT]
+        low = impacts["after"][:, 2] < -depth[impacts["shot"]] - 1e-9
+        assert not np.any(low & holds[impacts["shot"]]), family.key
+        assert not np.any(holds & (shots.outcome == Outcome.SHORT)), family.key
+        known += np.count_nonzero(low) + np.count_nonzero(shots.outcome == Outcome.SHORT)
+    assert known > 100
 
 
 def test_rows_that_are_invalid_are_not() -> None:
