@@ -210,7 +210,7 @@ class Layout:
         )
         return log.joined(ResultArrays(event_errors=np.empty(rooms, self.error))) if errors else log
 
-    def logged_errors(self, wanted: Iterable[str]) -> tuple[str, ...]:
+    def logged_errors(self, wanted: Collection[str]) -> tuple[str, ...]:
         """Return the names of the bounds on errors that the event log has for wanted fields.
 
         Parameters
@@ -220,7 +220,7 @@ class Layout:
         """
         return tuple(name for name in self.error.names or () if name in wanted)
 
-    def logged(self, log: ResultArrays, used: NDArray[np.bool_], wanted: Iterable[str]) -> Any:
+    def logged(self, log: ResultArrays, used: NDArray[np.bool_], wanted: Collection[str]) -> Any:
         """Return rows of an event log, with the bounds on errors that are wanted, (m,).
 
         Parameters
