@@ -157,6 +157,11 @@ class CoulombFriction(Law):
         """Coulomb's mu."""
         return self.friction
 
+    @property
+    def decides(self) -> bool:
+        """True if a contact may grip or slip: mu is neither 0 nor infinite for every ball."""
+        return self.friction not in (0, sp.oo)
+
     def friction_impulse(self, ball: Ball, slip: sp.Expr, speed: sp.Expr) -> sp.Expr:
         """Return lambda, the impulse of friction against the slip, per unit mass.
 
@@ -195,7 +200,7 @@ class CoulombFriction(Law):
         The error of the slip is at most twice the root of three times that of its parts. The error
         of the normal impulse (1 + e) |v_n| is at most twice that of v_n.
         """
-        if self.friction in (0, sp.oo):
+        if not self.decides:
             return None
         met = self._before(normal, velocity, spin, ball)
         speed, error = before_impact(ball.radius)
@@ -211,12 +216,27 @@ class CoulombFriction(Law):
 
         With a mu of 0 or infinity nothing is decided; the margin is then a constant, 1 m/s.
         """
-        if self.friction in (0, sp.oo):
+        if not self.decides:
             return None
         met = self._before(normal, velocity, spin, ball)
         margin = met.slide - barrier(met.grip * sp.sqrt(met.squared))
         one = sp.Integer(1)
         return IfLess(0, self.friction, IfLess(self.friction, sp.oo, margin, one), one)
+
+    def slip(self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball: Ball) -> Slip:
+        """Return the slip of a contact that may grip or slip.
+
+        Parameters
+        ----------
+        normal, velocity, spin, ball
+            As for `after`.
+        """
+        met = self._before(normal, velocity, spin, ball)
+        speed = barrier(sp.sqrt(met.squared))
+        per_speed = barrier(1 / speed)
+        direction = (IfLess(0, speed, one * per_speed, 0) for one in met.slip)
+        margin = self.grip_margin(normal, velocity, spin, ball)
+        return Slip(barrier(self._share(met)), margin, speed, tuple(direction))
 
     def _share(self, met: _ContactMotion) -> sp.Expr:
         """Return the share of the slip that is taken from the velocity.
@@ -248,6 +268,28 @@ class CoulombFriction(Law):
             barrier(grip_share(ball, self.tangential)),
             slide,
         )
+
+
+@dataclass(frozen=True)
+class Slip:
+    """The slip of a contact before its impulse.
+
+    Attributes
+    ----------
+    share
+        The share of it that friction takes.
+    margin
+        By how much the contact grips, m/s; negative: it slips.
+    speed
+        Its size, m/s.
+    direction
+        Its direction, (3,); zero without slip.
+    """
+
+    share: sp.Expr
+    margin: sp.Expr
+    speed: sp.Expr
+    direction: tuple[sp.Expr, ...]
 
 
 @dataclass(frozen=True)

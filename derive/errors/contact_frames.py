@@ -57,6 +57,7 @@ once. At an end they are infinite alone: no decision follows.
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
@@ -93,6 +94,9 @@ BOUNDS = sp.symbols("place_n place_s place_e pace_n pace_s pace_e turn_n turn_z"
 
 EACH = (*BOUNDS, BOUNDS[-1])
 """The bound of each coordinate; both components of y_z have the same."""
+
+SIZE = 6
+"""Number of the coordinates that every contact makes of those before it: q_s, q_e, y_n to y_w."""
 
 NORMS = sp.symbols("position_bound velocity_bound spin_bound", nonnegative=True)
 """P, E and W: bounds on the norms of the errors of place, velocity and spin."""
@@ -218,8 +222,14 @@ class Frame:
         )
 
 
-def _held(quantity: sp.Expr) -> sp.Expr:
-    """Return a quantity, held unless it is a number: what is zero takes no operation."""
+def held(quantity: sp.Expr) -> sp.Expr:
+    """Return a quantity, held unless it is a number: what is zero takes no operation.
+
+    Parameters
+    ----------
+    quantity
+        The quantity.
+    """
     return quantity if quantity.is_Number else barrier(quantity)
 
 
@@ -229,12 +239,12 @@ def _vector(components: Iterable[sp.Expr]) -> Vector:
 
 
 def _times(factor: sp.Expr, vector: Vector) -> Vector:
-    return _vector(_held(factor * one) for one in vector)
+    return _vector(held(factor * one) for one in vector)
 
 
 def _cross(a: Sequence[sp.Expr], b: Sequence[sp.Expr]) -> Vector:
     """Return a × b along n, s and e, which are right-handed."""
-    return _vector(_held(a[k - 2] * b[k - 1] - a[k - 1] * b[k - 2]) for k in range(3))
+    return _vector(held(a[k - 2] * b[k - 1] - a[k - 1] * b[k - 2]) for k in range(3))
 
 
 def weighted_sum(factors: Sequence[sp.Expr], bounds: Sequence[sp.Expr]) -> sp.Expr:
@@ -325,14 +335,14 @@ def _flight_roundings(flight: Parabola) -> tuple[list[sp.Expr], sp.Expr]:
 
 @dataclass(frozen=True)
 class Growth:
-    """The growth of errors over a flight and a contact without slip, to first order.
+    """The growth of errors over a flight and a contact, to first order.
 
     Attributes
     ----------
     here
         The frame of the contact.
     columns
-        T by columns, q_n, ..., y_w and y_z along s and along e, each (6,).
+        T by columns, q_n, ..., y_w and y_z along s and along e, each (6,), or with friction (8,).
     gap
         The distance from the surface at the computed time that errors at the start cause.
     after
@@ -366,12 +376,15 @@ class Growth:
         rest
             The terms beside |T| B.
         """
+        rolled = self.times(EACH)[SIZE:]
+        unrolled = maximum(*rolled) + rest.unrolled if rolled else rest.unrolled
+        arrival = rest.arrival
         bounds = [
-            barrier(ROUNDING_SLACK * barrier(one)) for one in (rest.level, *found, rest.unrolled)
+            barrier(ROUNDING_SLACK * barrier(one)) for one in (arrival.level, *found, unrolled)
         ]
         sizes = rest.speed_after, rest.spin_after
         norms = norms_after(self.here, ball, bounds, self.after, sizes)
-        delay = IfAtMost(rest.excess, 0, ROUNDING_SLACK * rest.late, sp.oo)
+        delay = IfAtMost(rest.excess, 0, ROUNDING_SLACK * arrival.late, sp.oo)
         proved = {s.name: bound for s, bound in zip(BOUNDS, bounds, strict=True)} | norms
         return {
             **{name: IfAtMost(rest.excess, 0, bound, sp.oo) for name, bound in proved.items()},
@@ -382,27 +395,27 @@ class Growth:
         }
 
 
-def growth(flight: Parabola, ball: Ball, restitution: sp.Expr) -> Growth:
+def growth(flight: Parabola, impact: Impact) -> Growth:
     """Return the growth of errors over a flight and a contact.
 
     Parameters
     ----------
-    flight, ball, restitution
+    flight, impact
         As for `contact_errors`.
     """
     left = Frame.of(left_normal, LEFT_TANGENT, LEFT_BENDS)
     here = Frame.of(normal, TANGENT, BENDS)
-    stays, share, radius = ball.moving_share, ball.friction_share, ball.radius
+    law = impact.law
     moving, turning = here.of_motion()
     fall = here.of_vector(flight.acceleration)
-    began = [_held(v - t * a) for v, a in zip(moving, fall, strict=True)]
+    began = [held(v - t * a) for v, a in zip(moving, fall, strict=True)]
     # n, s and e of the departure, and the vertical, in the frame of the contact.
     out, across, along = (
         _vector(barrier(here.axes.row(i).dot(left.axes.row(j))) for i in range(3)) for j in range(3)
     )
     up = _vector(here.axes[i, 2] for i in range(3))
     about_e, about_z = _times(left.bends[0], along), _times(left.bends[1], up)
-    per_radius = barrier(1 / radius)
+    per_radius = barrier(1 / impact.ball.radius)
     still: Vector = (sp.Integer(0), sp.Integer(0), sp.Integer(0))
     # Place, velocity and spin of each coordinate's unit at the departure.
     columns: list[tuple[Vector, Vector, Vector]] = [
@@ -416,17 +429,7 @@ def growth(flight: Parabola, ball: Ball, restitution: sp.Expr) -> Growth:
         (still, still, across),
         (still, still, along),
     ]
-    per_approach, gives = barrier(1 / normal_velocity), barrier(share * radius)
-
-    def law(pace: Vector, turn: Vector) -> list[sp.Expr]:
-        """Return y_n, y_s, y_e and y_w after the impact from velocity and spin before it."""
-        return [
-            _held(-restitution * pace[0]),
-            _held(stays * pace[1] + gives * turn[2]),
-            _held(stays * pace[2] - gives * turn[1]),
-            turn[0],
-        ]
-
+    per_approach = barrier(1 / normal_velocity)
     falls = law(fall, still)
     aside, around = (
         law(*turned) for turned in zip(here.turned(moving), here.turned(turning), strict=True)
@@ -434,20 +437,18 @@ def growth(flight: Parabola, ball: Ball, restitution: sp.Expr) -> Growth:
     gaps: list[sp.Expr] = []
     found: list[tuple[sp.Expr, ...]] = []
     for index, (place, pace, turn) in enumerate(columns):
-        n, s, e = (_held(p + t * v) for p, v in zip(place, pace, strict=True))
+        n, s, e = (held(p + t * v) for p, v in zip(place, pace, strict=True))
         if index == 0:  # on a return the level is that of the start
             n = barrier(n - back)
-        delay = _held(-n * per_approach)
-        q_s, q_e = _held(s + moving[1] * delay), _held(e + moving[2] * delay)
+        delay = held(-n * per_approach)
+        q_s, q_e = held(s + moving[1] * delay), held(e + moving[2] * delay)
         gaps.append(n)
         rows = zip(law(pace, turn), falls, aside, around, strict=True)
-        found.append((q_s, q_e, *(_held(y + delay * f - q_s * a - q_e * b) for y, f, a, b in rows)))
-    leaving = _vector(law(moving, turning)[:3])
-    rolling = (turning[0], barrier(-leaving[2] * per_radius), barrier(leaving[1] * per_radius))
-    return Growth(here, found, weighted_sum(gaps, EACH), (leaving, rolling))
+        found.append((q_s, q_e, *(held(y + delay * f - q_s * a - q_e * b) for y, f, a, b in rows)))
+    return Growth(here, found, weighted_sum(gaps, EACH), impact.after(moving, turning))
 
 
-def contact_errors(flight: Parabola, ball: Ball, restitution: sp.Expr) -> dict[str, sp.Expr]:
+def contact_errors(flight: Parabola, impact: Impact) -> dict[str, sp.Expr]:
     """Return the bounds after a contact from those at the departure before it, with the lemma.
 
     Arguments of the formulas are the state before the impact, its normal and frame, the time t of
@@ -457,19 +458,17 @@ def contact_errors(flight: Parabola, ball: Ball, restitution: sp.Expr) -> dict[s
     ----------
     flight
         The motion between contacts.
-    ball
-        The ball.
-    restitution
-        e of the law, which has no slip.
+    impact
+        The law, as it makes errors of errors.
     """
-    grows = growth(flight, ball, restitution)
-    rest = Rest(flight, ball, restitution, grows.here, grows.gap)
-    pairs = zip(grows.times(EACH), rest.extras, strict=True)
-    return grows.errors_after(ball, [value + extra for value, extra in pairs], rest)
+    grows = growth(flight, impact)
+    rest = impact.rest(Arrival(flight, impact.ball, grows.here, grows.gap))
+    pairs = zip(grows.times(EACH)[:SIZE], rest.extras, strict=True)
+    return grows.errors_after(impact.ball, [value + extra for value, extra in pairs], rest)
 
 
-class Rest:
-    """Terms beside |T| B at a contact: roundings, the second order, and T's own roundings.
+class Arrival:
+    """Bounds at a contact before its impact: roundings, the second order, and T's own roundings.
 
     Parameters
     ----------
@@ -477,8 +476,6 @@ class Rest:
         The motion between contacts.
     ball
         The ball.
-    restitution
-        e of the law.
     here
         The frame of the contact.
     gap
@@ -486,28 +483,38 @@ class Rest:
 
     Attributes
     ----------
-    late
-        S, the largest delay.
+    here
+        The frame of the contact.
+    moving, turning
+        The components of velocity and spin.
+    size, spinning, nearing
+        Sums of the sizes of velocity and of spin, and V.
+    late, change, turn, drift, belated, place, tilt
+        S, a, N, E S + g S²/2, d²t, d²c and d²n of the lemma in `second_order`.
+    beyond
+        What is added to the bounds of q_s and q_e besides `own`.
+    turned
+        The angle that `beyond` makes.
+    summed, spun
+        Bounds on the parts of errors of velocity and spin that turn at the start, and W with them.
+    own, paces, turns
+        Roundings of flight and root: of q_s and q_e, and what they make of y and of the spin, n, s
+        and e.
+    level, longer
+        B_n, and by how much the normal is longer or shorter than 1 off the surface.
+    pull
+        g d²t.
     excess
         At most zero if the lemma in `second_order` holds.
-    extras
-        What is added to the bounds of q_s, q_e, y_n, y_s, y_e and y_w.
-    level, unrolled
-        B_n and B_z.
-    speed_after, spin_after
-        Bounds on the sizes of velocity and spin after the contact.
     """
 
-    def __init__(
-        self, flight: Parabola, ball: Ball, restitution: sp.Expr, here: Frame, gap: sp.Expr
-    ) -> None:
-        stays, per_radius = ball.moving_share, barrier(1 / ball.radius)
-        both, rubbed = barrier(stays + restitution), barrier(ball.friction_share * ball.radius)
+    def __init__(self, flight: Parabola, ball: Ball, here: Frame, gap: sp.Expr) -> None:
+        self.here = here
         places, speeds = _flight_roundings(flight)
-        moving, turning = here.of_motion()
-        size = barrier(sum(map(absolute, velocity)))
-        spinning = barrier(sum(map(absolute, spin)))
-        nearing = barrier(absolute(normal_velocity))
+        self.moving, self.turning = moving, turning = here.of_motion()
+        self.size = size = barrier(sum(map(absolute, velocity)))
+        self.spinning = spinning = barrier(sum(map(absolute, spin)))
+        self.nearing = nearing = barrier(absolute(normal_velocity))
         p, e, w = NORMS
         # As in `second_order`: bounds on errors before the contact, and what they can make.
         off = barrier(p + e * t + barrier(sum(places)) + maximum(root_offset, root_level))
@@ -515,74 +522,191 @@ class Rest:
         bent = barrier(remainder.BEND * barrier(sharpest_bend * off) * off)
         # In the turned motion at the start products may cancel.
         left_turn = barrier(LEFT_BENDS[0] * BOUNDS[1] + LEFT_BENDS[1] * BOUNDS[2])
-        summed = barrier(barrier(size + flight.strength * t) * left_turn)
-        spun = barrier(w + spinning * left_turn)
+        self.summed = summed = barrier(barrier(size + flight.strength * t) * left_turn)
+        self.spun = barrier(w + spinning * left_turn)
         blur = barrier(T_ROUNDING * barrier(off + summed * t))
         apart = barrier(gap + root_offset + bent + blur)
-        self.late = barrier(remainder.STRETCH * apart / nearing)
-        change = barrier(sped + flight.strength * self.late)
-        way = barrier(off + barrier(size + change) * self.late)
-        turn = barrier(remainder.BEND * sharpest_bend * way)
-        drift = barrier(sped * self.late + flight.strength * self.late**2 / 2)
-        belated = barrier(barrier(drift + barrier(turn * way)) / nearing)
-        place = barrier(size * belated + drift)
-        tilt = barrier(remainder.BEND * sharpest_bend * place + 2 * turn**2)
+        self.late = late = barrier(remainder.STRETCH * apart / nearing)
+        self.change = change = barrier(sped + flight.strength * late)
+        way = barrier(off + barrier(size + change) * late)
+        self.turn = turn = barrier(remainder.BEND * sharpest_bend * way)
+        self.drift = drift = barrier(sped * late + flight.strength * late**2 / 2)
+        self.belated = belated = barrier(barrier(drift + barrier(turn * way)) / nearing)
+        self.place = place = barrier(size * belated + drift)
+        self.tilt = barrier(remainder.BEND * sharpest_bend * place + 2 * turn**2)
         falling = absolute(here.of_vector(flight.acceleration)[0])
-        slowed = barrier(sped + falling * self.late + turn * barrier(size + change))
-        self.speed_after = barrier(size + ball.radius * spinning)
-        self.spin_after = barrier(size * per_radius + spinning)
-        # The second order, and the roundings of T.
-        beyond = barrier(place + T_ROUNDING * way + blur)
-        turned = barrier(barrier(here.bends[0] + here.bends[1]) * beyond)
-        products = barrier(
-            2 * barrier(change + summed)
-            + barrier(4 * size + ball.radius * spinning) * turn
-            + ball.radius * spun
-        )
-        curved = barrier(
-            self.speed_after * turned
-            + flight.strength * belated
-            + barrier(2 * both * size + rubbed * spinning) * tilt
-            + barrier(2 * both * change + rubbed * w) * turn
-            + both * barrier(size + change) * turn**2
-            + T_ROUNDING * products
-        )
-        curved_spin = barrier(
-            self.spin_after * turned
-            + barrier(stays * size * per_radius + 2 * spinning) * tilt
-            + barrier(stays * per_radius * change + 2 * w) * turn
-            + barrier(spinning + w) * turn**2
-            + barrier(flight.strength * belated + T_ROUNDING * products) * per_radius
-            + T_ROUNDING * barrier(spinning * turn + spun)
-        )
-        # Roundings: of flight and root, of the normal, of its length off the surface, of the law.
+        slowed = barrier(sped + falling * late + turn * barrier(size + change))
+        self.beyond = barrier(place + T_ROUNDING * way + blur)
+        self.turned = barrier(barrier(here.bends[0] + here.bends[1]) * self.beyond)
+        # Roundings: of flight and root, of the normal, of its length off the surface.
         normals, *along = (
             barrier(sum(absolute(c) * r for c, r in zip(here.axes.row(k), places, strict=True)))
             for k in range(3)
         )
         delay = barrier(barrier(root_offset + blur) / nearing)
-        own = [barrier(r + absolute(v) * delay) for r, v in zip(along, moving[1:], strict=True)]
-        paces, turns = (
+        self.own = own = [
+            barrier(r + absolute(v) * delay) for r, v in zip(along, moving[1:], strict=True)
+        ]
+        paces, self.turns = (
             [
                 barrier(absolute(s) * own[0] + absolute(e) * own[1])
                 for s, e in zip(*them, strict=True)
             ]
             for them in (here.turned(moving), here.turned(turning))
         )
-        paces = [barrier(pace + speeds + flight.strength * delay) for pace in paces]
+        self.paces = [barrier(pace + speeds + flight.strength * delay) for pace in paces]
         self.level = barrier(normals + root_level + place)
-        longer = barrier(here.bends[0] * self.level)
+        self.longer = longer = barrier(here.bends[0] * self.level)
+        self.pull = flight.strength * belated
         self.excess = maximum(
             barrier(12 * slowed - nearing),
             barrier(100 * barrier(sharpest_bend * way) - 1),
             barrier(MOST_LENGTHS * barrier(longer + LEFT_BENDS[0] * BOUNDS[0]) - 1),
         )
-        law = barrier(LAW_ROUNDINGS * UNIT_ROUNDOFF * self.speed_after + FLOOR)
+
+
+@dataclass(frozen=True)
+class Rest:
+    """Terms beside |T| B at a contact.
+
+    Attributes
+    ----------
+    arrival
+        The bounds before the impact.
+    speed_after, spin_after
+        Bounds on the sizes of velocity and spin after the contact.
+    extras
+        What is added to the bounds of q_s, q_e, y_n, y_s, y_e and y_w.
+    unrolled
+        What is added to the bounds of both components of y_z.
+    excess
+        At most zero if all lemmas hold.
+    """
+
+    arrival: Arrival
+    speed_after: sp.Expr
+    spin_after: sp.Expr
+    extras: Sequence[sp.Expr]
+    unrolled: sp.Expr
+    excess: sp.Expr
+
+
+class Impact(ABC):
+    """The errors after a contact that its law makes of those before it.
+
+    Attributes
+    ----------
+    ball
+        The ball.
+    """
+
+    ball: Ball
+
+    @abstractmethod
+    def law(self, pace: Vector, turn: Vector) -> list[sp.Expr]:
+        """Return the derivative of the law along a change: y_n, y_s, y_e and y_w after it.
+
+        With friction they are followed by y_z along s and e.
+
+        Parameters
+        ----------
+        pace, turn
+            The change of velocity and spin before the impact.
+        """
+
+    @abstractmethod
+    def after(self, moving: Vector, turning: Vector) -> tuple[Vector, Vector]:
+        """Return velocity and spin after the impact.
+
+        Parameters
+        ----------
+        moving, turning
+            Those before it.
+        """
+
+    @abstractmethod
+    def rest(self, arrival: Arrival) -> Rest:
+        """Return the terms beside |T| B.
+
+        Parameters
+        ----------
+        arrival
+            The bounds before the impact.
+        """
+
+
+@dataclass(frozen=True)
+class NoSlipImpact(Impact):
+    """The impact without slip.
+
+    Attributes
+    ----------
+    ball
+        The ball.
+    restitution
+        e.
+    """
+
+    ball: Ball
+    restitution: sp.Expr
+
+    def law(self, pace: Vector, turn: Vector) -> list[sp.Expr]:
+        """Return -e v_n, what stays of the velocity with what friction gives, and w_n."""
+        stays, gives = self.ball.moving_share, barrier(self.ball.friction_share * self.ball.radius)
+        return [
+            held(-self.restitution * pace[0]),
+            held(stays * pace[1] + gives * turn[2]),
+            held(stays * pace[2] - gives * turn[1]),
+            turn[0],
+        ]
+
+    def after(self, moving: Vector, turning: Vector) -> tuple[Vector, Vector]:
+        """Return the law of the motion, which is linear, and the spin with which the ball rolls."""
+        leaving = _vector(self.law(moving, turning)[:3])
+        per_radius = barrier(1 / self.ball.radius)
+        rolling = (turning[0], barrier(-leaving[2] * per_radius), barrier(leaving[1] * per_radius))
+        return leaving, rolling
+
+    def rest(self, arrival: Arrival) -> Rest:
+        """Return the terms of the lemma in `second_order`, and those of 14 roundings."""
+        ball, restitution, here = self.ball, self.restitution, arrival
+        stays, per_radius = ball.moving_share, barrier(1 / ball.radius)
+        both, rubbed = barrier(stays + restitution), barrier(ball.friction_share * ball.radius)
+        size, spinning, nearing = here.size, here.spinning, here.nearing
+        change, turn, tilt, turned = here.change, here.turn, here.tilt, here.turned
+        own, paces, turns, longer = here.own, here.paces, here.turns, here.longer
+        w = NORMS[2]
+        speed_after = barrier(size + ball.radius * spinning)
+        spin_after = barrier(size * per_radius + spinning)
+        # The second order, and the roundings of T.
+        products = barrier(
+            2 * barrier(change + here.summed)
+            + barrier(4 * size + ball.radius * spinning) * turn
+            + ball.radius * here.spun
+        )
+        curved = barrier(
+            speed_after * turned
+            + here.pull
+            + barrier(2 * both * size + rubbed * spinning) * tilt
+            + barrier(2 * both * change + rubbed * w) * turn
+            + both * barrier(size + change) * turn**2
+            + T_ROUNDING * products
+        )
+        curved_spin = barrier(
+            spin_after * turned
+            + barrier(stays * size * per_radius + 2 * spinning) * tilt
+            + barrier(stays * per_radius * change + 2 * w) * turn
+            + barrier(spinning + w) * turn**2
+            + barrier(here.pull + T_ROUNDING * products) * per_radius
+            + T_ROUNDING * barrier(spinning * turn + here.spun)
+        )
+        # Roundings: of the normal, of its length off the surface, of the law.
+        law = barrier(LAW_ROUNDINGS * UNIT_ROUNDOFF * speed_after + FLOOR)
         rubbing = barrier(rubbed * spinning * barrier(normal_rounding + longer))
         across = barrier(law + both * nearing * normal_rounding + rubbing + curved)
-        self.extras = (
-            own[0] + beyond,
-            own[1] + beyond,
+        extras = (
+            own[0] + here.beyond,
+            own[1] + here.beyond,
             restitution * paces[0]
             + both * barrier(barrier(size + nearing) * normal_rounding + 2 * nearing * longer)
             + barrier(law + rubbing + curved),
@@ -594,13 +718,16 @@ class Rest:
             + law * per_radius
             + curved_spin,
         )
-        rolled = barrier(stays * barrier(sum(map(absolute, moving[1:]))) * per_radius + spinning)
-        self.unrolled = (
+        rolled = barrier(
+            stays * barrier(sum(map(absolute, here.moving[1:]))) * per_radius + spinning
+        )
+        unrolled = (
             barrier(maximum(*paces) * per_radius + maximum(*turns))
             + 2 * barrier(rolled * barrier(normal_rounding + longer))
             + barrier(law + across) * per_radius
             + curved_spin
         )
+        return Rest(arrival, speed_after, spin_after, extras, unrolled, arrival.excess)
 
 
 def _late(flight: Parabola, off: sp.Expr, sped: sp.Expr) -> tuple[sp.Expr, sp.Expr]:

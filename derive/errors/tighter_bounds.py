@@ -21,14 +21,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..contact.ball import Ball
 from ..motion.parabola import Parabola
 from ..symbolic.conditionals import IfAtMost, IfLess, barrier
 from ..symbolic.rounding import ROUNDING_SLACK
-from .contact_frames import BOUNDS, Rest, growth, weighted_sum
-
-SIZE = 6
-"""Number of the coordinates that each contact makes of those before it: q_s, q_e, y_n to y_w."""
+from .contact_frames import BOUNDS, SIZE, Arrival, Impact, growth, weighted_sum
 
 ORIGIN = sp.symbols("origin_s origin_e origin_u origin_v origin_w origin_t", nonnegative=True)
 """O: the bounds of these at the departure from an earlier contact."""
@@ -52,16 +48,16 @@ WEIGHTS = (1, 1, *[sp.Rational(1, 8)] * 3, sp.Rational(1, 64))
 """The weights of the coordinates in this: lengths in m, with 1/8 s, and y_w with 1/64 m s."""
 
 
-def tighter_errors(flight: Parabola, ball: Ball, restitution: sp.Expr) -> dict[str, sp.Expr]:
+def tighter_errors(flight: Parabola, impact: Impact) -> dict[str, sp.Expr]:
     """Return the bounds after a contact by |M| O + C, and the next O, M and C.
 
     Parameters
     ----------
-    flight, ball, restitution
+    flight, impact
         As for `contact_frames.contact_errors`.
     """
-    grows = growth(flight, ball, restitution)
-    rest = Rest(flight, ball, restitution, grows.here, grows.gap)
+    grows = growth(flight, impact)
+    rest = impact.rest(Arrival(flight, impact.ball, grows.here, grows.gap))
     own = BOUNDS[1 : 1 + SIZE]
     origin = [IfLess(0, continued, o, bound) for o, bound in zip(ORIGIN, own, strict=True)]
     since = [IfLess(0, continued, c, 0) for c in RECENT]
@@ -70,7 +66,7 @@ def tighter_errors(flight: Parabola, ball: Ball, restitution: sp.Expr) -> dict[s
         for k in range(SIZE)
     ]
     rounded = (barrier(c + PRODUCT_ROUNDING * b) for c, b in zip(since, own, strict=True))
-    come = grows.times((BOUNDS[0], *rounded, BOUNDS[-1], BOUNDS[-1]))
+    come = grows.times((BOUNDS[0], *rounded, BOUNDS[-1], BOUNDS[-1]))[:SIZE]
     recent = [
         barrier(ROUNDING_SLACK * barrier(value + extra))
         for value, extra in zip(come, rest.extras, strict=True)
@@ -89,7 +85,7 @@ def tighter_errors(flight: Parabola, ball: Ball, restitution: sp.Expr) -> dict[s
     kept = dict(zip((*ORIGIN, *RECENT), (*origin, *recent), strict=True))
     kept |= dict(zip(PRODUCT, (element for row in product for element in row), strict=True))
     return {
-        **grows.errors_after(ball, found, rest),
+        **grows.errors_after(impact.ball, found, rest),
         **{symbol.name: value for symbol, value in kept.items()},
         continued.name: IfAtMost(new, RENEWAL * old, 1, 0),
     }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..errors import contact_frames, propagation, tighter_bounds
+from ..errors import contact_frames, friction, propagation, tighter_bounds
 from ..events import bounding_boxes, event_polynomials, search_for
 from ..events.predicates import pad
 from ..scenes import validity
@@ -57,6 +57,7 @@ def argument_order(scene: Scene) -> tuple[sp.Symbol, ...]:
         *(extent, speed, position_error, velocity_error),
         *propagation.ARGUMENTS,
         *contact_frames.ARGUMENTS,
+        *friction.ARGUMENTS,
         *tighter_bounds.TIGHTENING,
         *_BOXES,
         *scene.flight.symbols,

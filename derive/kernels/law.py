@@ -6,9 +6,10 @@ from collections.abc import Sequence, Set
 
 import sympy as sp
 
+from ..contact.friction import CoulombFriction
 from ..contact.law import Law
 from ..contact.no_slip import NoSlip
-from ..errors import contact_frames, propagation, tighter_bounds
+from ..errors import contact_frames, friction, propagation, tighter_bounds
 from ..ir.kernel import Kernel, kernel
 from ..motion.parabola import Parabola
 from ..rolling import friction_limit, jump, settling
@@ -66,7 +67,7 @@ def _kernels(
             "data",
         )
     undecided = law.undecided(normal, velocity, spin, scene.ball)
-    if undecided is not None:
+    if undecided is not None and not scene.proves_errors:
         kernels["undecided"] = kernel(
             f"{law.name}_undecided",
             {"undecided": undecided},
@@ -82,13 +83,21 @@ def _kernels(
             kernels["rebound"] = jump.rebound_kernel(law)
         kernels["grip_deficit"] = friction_limit.friction_excess(law)
     carried_source = f"derivative of {law.description}, with roundings"
-    if isinstance(law, NoSlip) and isinstance(scene.flight, Parabola) and scene.proves_errors:
-        motion = scene.flight, scene.ball, law.restitution
-        carried = contact_frames.contact_errors(*motion)
+    if isinstance(scene.flight, Parabola) and scene.proves_errors:
+        if isinstance(law, CoulombFriction) and law.decides:
+            kernels["slip"] = kernel(
+                f"{law.name}_slip",
+                friction.slip_outputs(law.slip(normal, velocity, spin, scene.ball)),
+                order,
+                "Slip of a contact, the share of it that friction takes, and the margin of grip.",
+                law.source,
+            )
+        impact = _impact_errors(law, scene)
+        carried = contact_frames.contact_errors(scene.flight, impact)
         carried_summary = "Bounds on errors after a contact, from those at the departure before it."
         kernels["tighten"] = kernel(
             f"tighten_{law.name}",
-            tighter_bounds.tighter_errors(*motion),
+            tighter_bounds.tighter_errors(scene.flight, impact),
             order,
             "The same, through the product of derivatives since an earlier contact.",
             carried_source,
@@ -115,3 +124,12 @@ def _kernels(
         ),
         "vary": law_variation(law, scene, order),
     }
+
+
+def _impact_errors(law: Law, scene: Scene) -> contact_frames.Impact:
+    """Return the errors that a law of a scene with proved bounds makes of errors."""
+    if isinstance(law, NoSlip):
+        return contact_frames.NoSlipImpact(scene.ball, law.restitution)
+    if isinstance(law, CoulombFriction):
+        return friction.FrictionImpact(scene.ball, law)
+    raise TypeError(f"{law.name}: expected a law with proved bounds, got {type(law).__name__}")

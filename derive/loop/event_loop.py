@@ -376,8 +376,9 @@ def _proved_errors(
 
 def _carried(common: Parts, surface: LoopSurface, its: Mapping[str, str]) -> Iterator[Node]:
     """Carry bounds on errors over a contact with a surface that has parameters of its own."""
+    slip = [Call(surface.law["slip"])] if "slip" in surface.law else []
     carry, tighten = (
-        tuple(given_as(node, its) for node in _timed(common, surface.law[part]))
+        tuple(given_as(node, its) for node in (*slip, *_timed(common, surface.law[part])))
         for part in ("carry", "tighten")
     )
     yield If("carries", carry, usual=True)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from ..contact.ball import THIN_SHELL, Ball
+from ..contact.friction import CoulombFriction
 from ..contact.law import Law
 from ..contact.no_slip import NoSlip
 from ..motion.air import AirFlight
@@ -185,13 +186,13 @@ class Scene:
 
     @property
     def proves_errors(self) -> bool:
-        """True if errors have proved bounds, of contacts without slip on rings and planes."""
+        """True if errors have proved bounds, of contacts on rings and planes and no rolls."""
         return (
             not self.rolls
             and isinstance(self.flight, Parabola)
             and self.flight.upright
             and all(isinstance(s, Ring | Plane) for s in (*self.surfaces, *self.end_planes))
-            and all(isinstance(law, NoSlip) for law in self.laws)
+            and all(isinstance(law, NoSlip | CoulombFriction) for law in self.laws)
         )
 
     @property

@@ -48,9 +48,14 @@ at_end, at_time = (
 )
 
 
+def in_arrival(old: str, new: str) -> Patch:
+    """Replace text of the bounds before an impact."""
+    return in_text(frames.Arrival, "__init__", old, new)
+
+
 def in_rest(old: str, new: str) -> Patch:
     """Replace text of the terms beside |T| B."""
-    return in_text(frames.Rest, "__init__", old, new)
+    return in_text(frames.NoSlipImpact, "rest", old, new)
 
 
 def in_matrix(old: str, new: str) -> Patch:
@@ -83,12 +88,12 @@ def in_product(old: str, new: str) -> Patch:
 FAULTS = (
     Planted(
         "the exact ball is on the surface at the computed time",
-        in_rest("gap + root_offset + bent", "gap + bent"),
+        in_arrival("gap + root_offset + bent", "gap + bent"),
         of_roundings,
     ),
     Planted(
         "the root has no delay",
-        in_rest("barrier(root_offset + blur) / nearing", "blur / nearing"),
+        in_arrival("barrier(root_offset + blur) / nearing", "blur / nearing"),
         of_roundings,
     ),
     Planted(
@@ -98,22 +103,25 @@ FAULTS = (
     ),
     Planted(
         "a place is off the surface by no rounding of the flight",
-        in_rest("normals + root_level + place", "root_level + place"),
+        in_arrival("normals + root_level + place", "root_level + place"),
         of_roundings,
     ),
     Planted(
         "a place is off the surface by no second order",
-        in_rest("normals + root_level + place", "normals + root_level"),
+        in_arrival("normals + root_level + place", "normals + root_level"),
         of_one,
     ),
     Planted(
         "normals are unit vectors at the contact",
-        in_rest("longer = barrier(here.bends[0] * self.level)", "longer = sp.Integer(0)"),
+        in_arrival(
+            "self.longer = longer = barrier(here.bends[0] * self.level)",
+            "self.longer = longer = sp.Integer(0)",
+        ),
         of_one,
     ),
     Planted(
         "normals are unit vectors wherever a flight begins and ends",
-        in_rest(LENGTHS, "sp.Integer(-1)"),
+        in_arrival(LENGTHS, "sp.Integer(-1)"),
         level,
     ),
     Planted(
@@ -163,7 +171,7 @@ FAULTS = (
     ),
     Planted(
         "the velocity at the departure is that at the contact",
-        in_matrix("_held(v - t * a)", "_held(v - 0 * a)"),
+        in_matrix("held(v - t * a)", "held(v - 0 * a)"),
         of_one,
     ),
     Planted(
@@ -173,7 +181,7 @@ FAULTS = (
     ),
     Planted(
         "a ball does not move along the surface during its delay",
-        in_matrix("_held(s + moving[1] * delay)", "_held(s)"),
+        in_matrix("held(s + moving[1] * delay)", "held(s)"),
         of_one,
     ),
     Planted(
@@ -229,7 +237,7 @@ FAULTS = (
     ),
     Planted(
         "a flight has no roundings along the surface",
-        in_rest("barrier(r + absolute(v) * delay)", "barrier(absolute(v) * delay)"),
+        in_arrival("barrier(r + absolute(v) * delay)", "barrier(absolute(v) * delay)"),
         of_roundings,
     ),
     Planted(
@@ -244,7 +252,10 @@ FAULTS = (
     ),
     Planted(
         "the derivative leaves nothing out",
-        in_rest("place = barrier(size * belated + drift)", "place = sp.Integer(0)"),
+        in_arrival(
+            "self.place = place = barrier(size * belated + drift)",
+            "self.place = place = sp.Integer(0)",
+        ),
         of_large,
     ),
     Planted(
@@ -252,7 +263,7 @@ FAULTS = (
         in_decisions(following, 'Choose(Boolean("unbounded"), 1, uncertain)', "uncertain"),
         OfEngine(lemma.check_infinite_bounds, scene=HOOP),
     ),
-    Planted("a slow contact is proved", in_rest(CONDITION, "sp.Integer(-1)"), unproved),
+    Planted("a slow contact is proved", in_arrival(CONDITION, "sp.Integer(-1)"), unproved),
     Planted(
         "the sum of an event's time is not rounded",
         in_text(

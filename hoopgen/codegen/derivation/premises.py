@@ -225,8 +225,8 @@ PREMISES: dict[str, Premise] = {
         LEMMA,
         "growth of errors in the frames of contacts",
         _kernels(
-            "common.normal_velocity common.came_back *.tangents law.carry common.carry_end "
-            "common.unbounded common.without_bounds "
+            "common.normal_velocity law.slip common.came_back *.tangents law.carry "
+            "common.carry_end common.unbounded common.without_bounds "
             "common.carry_time common.error_bounds common.claimed_errors common.clock_error_sum "
             "common.closing"
         ),
