@@ -65,10 +65,8 @@ import sympy as sp
 
 from ..contact.ball import Ball
 from ..motion.parabola import Parabola
-from ..surfaces import Plane, Ring, Surface
 from ..symbolic.conditionals import (
     IfAtMost,
-    IfLess,
     Less,
     Not,
     absolute,
@@ -79,7 +77,6 @@ from ..symbolic.conditionals import (
 from ..symbolic.error_terms import clock, clock_error, left_normal
 from ..symbolic.rounding import ROUNDING_SLACK
 from ..symbolic.symbols import (
-    POSITION,
     UNIT_ROUNDOFF,
     normal,
     position,
@@ -306,26 +303,37 @@ def norms_after(
     return {s.name: ROUNDING_SLACK * value for s, value in zip(NORMS, values, strict=True)}
 
 
-def _means(flight: Parabola) -> list[sp.Expr]:
-    """Return the mean velocities of a flight of time t, from those at its end."""
+def means(flight: Parabola) -> list[sp.Expr]:
+    """Return the mean velocities of a flight of time t, from those at its end.
+
+    Parameters
+    ----------
+    flight
+        The motion between contacts.
+    """
     return [
         barrier(v - a * t / 2) if a != 0 else v
         for v, a in zip(velocity, flight.acceleration, strict=True)
     ]
 
 
-def _flight_roundings(flight: Parabola) -> tuple[list[sp.Expr], sp.Expr]:
+def flight_roundings(flight: Parabola) -> tuple[list[sp.Expr], sp.Expr]:
     """Return the roundings of the coordinates in a flight of time t, and of all velocities.
 
     Arguments are the state at the end. They are those of the flight's lemma in
     `tests/derive/errors/test_kernel_roundings.py`.
+
+    Parameters
+    ----------
+    flight
+        The motion between contacts.
     """
     places = [
         barrier(
             UNIT_ROUNDOFF * barrier(absolute(place) + 2 * absolute(mean) * t + sp.Abs(a) * t**2 / 2)
             + FLOOR
         )
-        for place, mean, a in zip(position, _means(flight), flight.acceleration, strict=True)
+        for place, mean, a in zip(position, means(flight), flight.acceleration, strict=True)
     ]
     speeds = barrier(
         UNIT_ROUNDOFF * barrier(sum(map(absolute, velocity)) + flight.strength * t) + FLOOR
@@ -510,7 +518,7 @@ class Arrival:
 
     def __init__(self, flight: Parabola, ball: Ball, here: Frame, gap: sp.Expr) -> None:
         self.here = here
-        places, speeds = _flight_roundings(flight)
+        places, speeds = flight_roundings(flight)
         self.moving, self.turning = moving, turning = here.of_motion()
         self.size = size = barrier(sum(map(absolute, velocity)))
         self.spinning = spinning = barrier(sum(map(absolute, spin)))
@@ -748,7 +756,7 @@ def errors_at_end(flight: Parabola) -> dict[str, sp.Expr]:
         The motion between contacts.
     """
     p, e, w = NORMS
-    places, speeds = _flight_roundings(flight)
+    places, speeds = flight_roundings(flight)
     off = barrier(p + e * t + barrier(sum(places)) + root_offset)
     sped = barrier(e + speeds)
     late, holds = _late(flight, off, sped)
@@ -775,7 +783,7 @@ def errors_at_time(flight: Parabola) -> dict[str, sp.Expr]:
         The motion between contacts.
     """
     p, e, w = NORMS
-    places, speeds = _flight_roundings(flight)
+    places, speeds = flight_roundings(flight)
     shift = barrier(clock_error + 4 * UNIT_ROUNDOFF * barrier(clock + t))
     change = barrier(e + speeds + flight.strength * shift)
     size = barrier(sum(map(absolute, velocity)))
@@ -800,74 +808,3 @@ def error_bounds() -> dict[str, sp.Expr]:
     """Return the bounds on the errors of a state and its time: the norms that are carried."""
     names = ("position_error", "velocity_error", "spin_error", "time_error")
     return dict(zip(names, (*NORMS, clock_error), strict=True))
-
-
-def tangents(surface: Surface, flight: Parabola) -> dict[str, sp.Expr]:
-    """Return the frame of a contact with a surface, its curvatures, and the roundings there.
-
-    On a plane the root is off by u (|X| + |c| + max(0, -2 c) + k V t)/V, with the gap c at the
-    start, k <= 4 and V the speed towards the plane; |c| is the mean speed times t.
-
-    On the ring the roundings of F are at most u (4 ρ |d| + 2 d² + 5 R²) + 2 |d| p_ρ + 2 |z| p_z
-    (`tests/derive/errors/test_ring_condition.py`). On a return F is less its value at the start.
-    With ℓ the length of the path, p a bound on the roundings of a place, and |d|, |d_0| <= R,
-    (ρ + ρ_0) ℓ >= |ρ² - ρ_0²|, ρ_0/(ρ + ρ_0) <= (R_H + R)/(2 R_H) <= 5/6, the terms there add up to
-    at most 2 R (u (16 + 2 R_H/R) ℓ + 3/2 K p ℓ). Newton's method leaves 9/8 of these roundings, or
-    2^-49 F'²/C <= 2^-48 R² V²/v² (`events/ring/double.py`), and its last step u t of the time. The
-    distance is F/(2 R).
-
-    A search takes F less its value at the start where the margin of F/t times t is less than that
-    of F (`events/predicates.py`). With V_T the speed at the end T of its windows that is so if
-    V_T t <= min(R, R_H - R)/4: its terms are then at most three quarters of those of the latter,
-    in either precision. There |z| <= R, so g T <= 2 max(0, vz) + 2 sqrt(g R) with vz at the start.
-    On a longer return either may be taken, and F itself is off by the level of the start besides.
-
-    Parameters
-    ----------
-    surface
-        A ring about the vertical axis, or a plane across an axis.
-    flight
-        The motion between contacts.
-    """
-    places, _ = _flight_roundings(flight)
-    path = barrier(sum(map(absolute, velocity)) * t + flight.strength * t**2)
-    if isinstance(surface, Plane):
-        axis = next(k for k, d in enumerate(surface.direction) if d)
-        along = barrier(absolute(velocity[axis]) + absolute(_means(flight)[axis])) * t
-        off = barrier(UNIT_ROUNDOFF * barrier(absolute(position[axis]) + 4 * along) + FLOOR)
-        values = (*((1, 0) if axis == 1 else (0, 1)), *(0, 0, 0), off, off, 0)
-    else:
-        if not isinstance(surface, Ring):
-            raise TypeError(f"expected a ring or a plane across an axis, got {surface.name}")
-        x, y, _ = POSITION
-        rho, reach = barrier(surface.rho), barrier(surface.reach)
-        per_rho, per_reach = barrier(1 / rho), barrier(1 / reach)
-        wide = barrier(surface.ring_radius * per_reach)
-        rounded = barrier(sum(absolute(n) * r for n, r in zip(normal, places, strict=True)))
-        steep = barrier(normal_velocity**2 / barrier(sum(v**2 for v in velocity)))
-        again = barrier(
-            UNIT_ROUNDOFF * barrier(16 + 2 * wide) * path
-            + barrier(sp.Rational(3, 2) * barrier(sum(places)) * path) * surface.curvature
-        )
-        once = barrier(UNIT_ROUNDOFF * barrier(2 * rho + sp.Rational(7, 2) * reach) + rounded)
-        moved = barrier(UNIT_ROUNDOFF * barrier(absolute(normal_velocity) * t) + FLOOR)
-        residue = barrier(16 * UNIT_ROUNDOFF * barrier(reach * steep))
-        again, once = (
-            barrier(noise + maximum(sp.Rational(9, 8) * noise, residue) + moved)
-            for noise in (again, once)
-        )
-        begun = barrier(sum(map(absolute, velocity)) + flight.strength * t)
-        rising = maximum(0, barrier(velocity[2] + flight.strength * t))
-        half_gain = barrier(rising + barrier(sp.sqrt(flight.strength * reach)))
-        swept = barrier(begun + 2 * half_gain) * t
-        short = 4 * barrier(swept * surface.curvature)
-        kept = barrier(BOUNDS[0] + again)
-        offset = IfAtMost(short, 1, again, maximum(again, barrier(once + BOUNDS[0])))
-        level = IfAtMost(short, 1, kept, maximum(kept, once))
-        values = (
-            *(-y * per_rho, x * per_rho, per_reach, per_rho, surface.curvature),
-            *(IfLess(0, back, on_return, once) for on_return in (offset, level)),
-            UNIT_ROUNDOFF * barrier(2 * wide + 7),
-        )
-    names = (*TANGENT, *BENDS, sharpest_bend, root_offset, root_level, normal_rounding)
-    return {s.name: sp.sympify(value) for s, value in zip(names, values, strict=True)}

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from ..errors import contact_frames, propagation
+from ..errors import propagation, surface_frames
 from ..events import bounding_boxes, event_polynomials, grouping, search_for
 from ..events.search import Formula, Search
 from ..ir.kernel import Kernel, kernel
@@ -195,7 +195,7 @@ def _geometry(surface: Surface, scene: Scene) -> dict[str, Formula]:
     }
     if scene.proves_errors and isinstance(scene.flight, Parabola):
         formulas["tangents"] = (
-            contact_frames.tangents(surface, scene.flight),
+            surface_frames.tangents(surface, scene.flight),
             "Tangent and curvatures at a contact, and bounds on the roundings there.",
             "Table 2, running error analysis",
         )

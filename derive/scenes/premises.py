@@ -13,17 +13,18 @@ meets nothing before.
 
 It meets nothing before if it comes nearer to the axis until then and is there still further from
 it than R_H + R of each ring, if it is on the same side of each vertical plane at the release and
-there, and if no level plane of a body is below h.
+there, if no level plane of a body is below h, and if each box, with the ball's radius about it, is
+above h or on one side of both places along x or y.
 
 *Proof.* Whoever is above h stays there until the shot ends: so all flights but the first begin
-above h, and each flight comes to h downwards, or ends before. A contact without slip adds no
-energy, so |v|² <= U, and a flight takes at most 2 sqrt(U)/g. Nothing is asked that is later by more
-than a hundredth (`padded_horizon`), so that T (|v| + g T) <= 2.02 sqrt(U)/g (sqrt(3 U) + 2.02
+above h, and each flight comes to h downwards, or ends before. A contact adds no energy with -1 <=
+e_t <= 1, so |v|² <= U, and a flight takes at most 2 sqrt(U)/g. Nothing is asked that is later by
+more than a hundredth (`padded_horizon`), so that T (|v| + g T) <= 2.02 sqrt(U)/g (sqrt(3 U) + 2.02
 sqrt(U)) < 8 U/g. With α the angle of its velocity at the start above the horizon, a flight takes
 the ball away by at most cos α (sin α + 1) U/g < 1.3 U/g, which is a sum of two sizes below 2 U/g.
-In N contacts it moves so N times, and it stays between -S and X + S + U/(2 g). So |x| <= X + S +
-(2 N + 1) U/g. Horizontally it flies straight, so it comes nearer to the axis until h if it does so
-there, and crosses no vertical plane of which it is on the same side at both ends. ∎
+In N contacts it moves so N times, and it stays between -S and X + S + U/(2 g). So |x| <= X + S + (2
+N + 1) U/g. Horizontally it flies straight, so it comes nearer to the axis until h if it does so
+there, and what is on one side of both ends along x or y it does not meet. ∎
 
 Each condition is tested with room for roundings: 2^-20 of the sizes compared, and where it is at h,
 2^-20 of X + S + U/g. There vz² exceeds 2 g (h - z) by 2^-20 of itself, so that the time is off by
@@ -34,7 +35,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..surfaces import Plane, Ring
+from ..surfaces import Box, Plane, Ring
 from ..symbolic.conditionals import (
     AtMost,
     Less,
@@ -107,7 +108,7 @@ def _rises(scene: Scene, height: sp.Expr, room: sp.Expr) -> sp.Basic:
     Parameters
     ----------
     scene
-        A scene of rings and planes.
+        A scene of rings, planes and boxes.
     height
         The height, m.
     room
@@ -140,4 +141,12 @@ def _rises(scene: Scene, height: sp.Expr, room: sp.Expr) -> sp.Basic:
             gaps = [barrier(surface.direction[axis] * c - surface.offset) for c in ends]
             before = Less(room, barrier(minimum(*gaps)))
             conditions.append(any_of(before, Less(barrier(maximum(*gaps)), -room)))
+        elif isinstance(surface, Box):
+            lowest = barrier(surface.low[2] - surface.radius)
+            passes = [AtMost(barrier(height + room), lowest)]
+            for place, low, high in surface.faces[:2]:
+                ends = (place, there[place])
+                passes.append(Less(barrier(high + surface.radius + room), barrier(minimum(*ends))))
+                passes.append(Less(barrier(maximum(*ends)), barrier(low - surface.radius - room)))
+            conditions.append(any_of(*passes))
     return all_of(*conditions)

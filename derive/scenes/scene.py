@@ -15,7 +15,17 @@ from ..motion.air import AirFlight
 from ..motion.air_forces import AirConstants
 from ..motion.flight import Acceleration, Flight
 from ..motion.parabola import Parabola
-from ..surfaces import Body, Cone, EndPlane, InclinedPlane, Plane, Ring, Surface
+from ..surfaces import (
+    Body,
+    Box,
+    Cone,
+    EndPlane,
+    InclinedPlane,
+    ObliqueBox,
+    Plane,
+    Ring,
+    Surface,
+)
 from ..surfaces.plane import Flat
 from ..surfaces.two_sided import Round
 from ..symbolic.conditionals import release
@@ -186,12 +196,12 @@ class Scene:
 
     @property
     def proves_errors(self) -> bool:
-        """True if errors have proved bounds, of contacts on rings and planes and no rolls."""
+        """True if errors have proved bounds: no ball rolls, and surfaces and laws have lemmas."""
         return (
             not self.rolls
             and isinstance(self.flight, Parabola)
             and self.flight.upright
-            and all(isinstance(s, Ring | Plane) for s in (*self.surfaces, *self.end_planes))
+            and all(map(proves_contacts, (*self.surfaces, *self.end_planes)))
             and all(isinstance(law, NoSlip | CoulombFriction) for law in self.laws)
         )
 
@@ -301,6 +311,19 @@ class Scene:
         sums = {part for e in written for part in e.atoms(sp.Add)}
         numbers = {abs(n) for part in sums for n in part.args if n.is_Rational}
         return (*given, sp.Add(*numbers)) if numbers else given
+
+
+def proves_contacts(surface: Surface) -> bool:
+    """Return whether the errors of contacts with a surface have proved bounds.
+
+    Parameters
+    ----------
+    surface
+        The surface.
+    """
+    if isinstance(surface, Box):
+        return not isinstance(surface, ObliqueBox) and not surface.bounds
+    return isinstance(surface, Ring | Plane)
 
 
 def parameter(

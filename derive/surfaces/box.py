@@ -158,7 +158,7 @@ class Box(Surface):
         """The nearest point of the box moves along the axes between whose faces the centre is."""
         if self.contact_bounds is None:
             return None
-        zero, crease = sp.Integer(0), barrier(minimum(*self._ways_to_seams))
+        zero, crease = sp.Integer(0), barrier(minimum(*self.ways_to_seams))
         point = self.nearest_point(self.radius)
         return ContactPath(point, sp.Integer(1), zero, zero, self._rates, crease)
 
@@ -177,7 +177,7 @@ class Box(Surface):
         return [barrier(1 - bent) * v for bent, v in zip(self._bent, VELOCITY, strict=True)]
 
     @property
-    def _ways_to_seams(self) -> list[sp.Expr]:
+    def ways_to_seams(self) -> list[sp.Expr]:
         """The distances of the ball's centre from the planes of the faces, m."""
         return [
             barrier(absolute(barrier(place - barrier(side))))

@@ -181,7 +181,7 @@ class ObliqueBox(Box):
         return [barrier(part) for part in times(self._unit_axes, own)]
 
     @property
-    def _ways_to_seams(self) -> list[sp.Expr]:
+    def ways_to_seams(self) -> list[sp.Expr]:
         """The distances of the ball's centre from the planes of the faces, m."""
         return [
             barrier(absolute(barrier(place - barrier(side))))

@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 from hoopgen.derive.errors import contact_frames as frames
+from hoopgen.derive.errors import surface_frames
 from hoopgen.derive.errors import tighter_bounds as tighter
 from hoopgen.derive.loop import predicates as following
 from hoopgen.derive.scenes import HOOP
@@ -98,7 +99,7 @@ FAULTS = (
     ),
     Planted(
         "a return counts from the surface",
-        in_text(frames, "tangents", "kept = barrier(BOUNDS[0] + again)", "kept = again"),
+        in_text(surface_frames, "_of_ring", "kept = barrier(BOUNDS[0] + again)", "kept = again"),
         of_one,
     ),
     Planted(
@@ -126,7 +127,9 @@ FAULTS = (
     ),
     Planted(
         "the normal has no rounding",
-        in_text(frames, "tangents", "UNIT_ROUNDOFF * barrier(2 * wide + 7)", "sp.Integer(0)"),
+        in_text(
+            surface_frames, "_of_ring", "UNIT_ROUNDOFF * barrier(2 * wide + 7)", "sp.Integer(0)"
+        ),
         of_roundings,
     ),
     Planted(
@@ -203,8 +206,8 @@ FAULTS = (
     Planted(
         "Newton's method leaves no residue",
         in_text(
-            frames,
-            "tangents",
+            surface_frames,
+            "_of_ring",
             "maximum(sp.Rational(9, 8) * noise, residue)",
             "sp.Rational(9, 8) * noise",
         ),
@@ -213,8 +216,8 @@ FAULTS = (
     Planted(
         "the ring's condition has no roundings",
         in_text(
-            frames,
-            "tangents",
+            surface_frames,
+            "_of_ring",
             "noise + maximum(sp.Rational(9, 8) * noise, residue)",
             "residue",
         ),
@@ -223,8 +226,8 @@ FAULTS = (
     Planted(
         "a root on a plane has no roundings of its time",
         in_text(
-            frames,
-            "tangents",
+            surface_frames,
+            "_of_plane",
             "absolute(position[axis]) + 4 * along",
             "absolute(position[axis]) + 0 * along",
         ),
@@ -232,7 +235,7 @@ FAULTS = (
     ),
     Planted(
         "a flight's products have no roundings",
-        in_text(frames, "_flight_roundings", "2 * absolute(mean) * t", "0 * t"),
+        in_text(frames, "flight_roundings", "2 * absolute(mean) * t", "0 * t"),
         of_roundings,
     ),
     Planted(
@@ -244,7 +247,7 @@ FAULTS = (
         "a velocity has no roundings in a flight",
         in_text(
             frames,
-            "_flight_roundings",
+            "flight_roundings",
             "UNIT_ROUNDOFF * barrier(sum(map(absolute, velocity)) + flight.strength * t)",
             "0 * t",
         ),

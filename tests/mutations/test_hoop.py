@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import pytest
 from hoopgen.derive.contact import frame, no_slip
-from hoopgen.derive.errors import contact_frames
+from hoopgen.derive.errors import contact_frames, surface_frames
 from hoopgen.derive.events import end_plane, event_polynomials, plane
 from hoopgen.derive.events import predicates as searching
 from hoopgen.derive.events.ring import double
@@ -489,7 +489,7 @@ FAULTS = (
     ),
     Fault(
         "a root is on the surface",
-        in_text(contact_frames, "tangents", "again, once = (", "again, once = (\n            0 *"),
+        in_text(surface_frames, "_of_ring", "again, once = (", "again, once = (\n            0 *"),
     ),
     Fault(
         "the ring's margins are zero",

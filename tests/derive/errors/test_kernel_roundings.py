@@ -139,7 +139,7 @@ def test_what_is_carried_for_a_flight_contains_its_roundings() -> None:
     start, ends, errors = flown()
     given = {"t": start["t"], "gravity": GRAVITY}
     given |= dict(zip(map(str, (*POSITION, *velocity)), ends, strict=True))
-    places, speeds = contact_frames._flight_roundings(HOOP.flight)
+    places, speeds = contact_frames.flight_roundings(HOOP.flight)
     carried = np.array([evaluated(e, given) for e in places])
     assert np.all(errors[:3] <= SLACK * carried)
     assert np.any(errors[:3] > carried / 2)

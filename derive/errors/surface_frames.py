@@ -1,0 +1,216 @@
+"""The frames of contacts with surfaces, their curvatures, and how exact a contact is there.
+
+Each surface has the numbers with which `contact_frames` bounds errors: the horizontal tangent e,
+the curvatures 1/R and 1/ρ along s and e, and bounds on the curvature within the errors, on how far
+a flight is off the surface at its computed root, and on the rounding of the normal.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from ..motion.parabola import Parabola
+from ..surfaces import Box, Plane, Ring, Surface
+from ..symbolic.conditionals import (
+    Choose,
+    IfAtMost,
+    IfLess,
+    Less,
+    absolute,
+    all_of,
+    barrier,
+    maximum,
+    minimum,
+)
+from ..symbolic.rounding import Rounded, rounding
+from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, normal, position, t, velocity
+from .contact_frames import (
+    BENDS,
+    BOUNDS,
+    FLOOR,
+    TANGENT,
+    back,
+    flight_roundings,
+    means,
+    normal_rounding,
+    normal_velocity,
+    root_level,
+    root_offset,
+    sharpest_bend,
+)
+
+SEAM_SHARE = 100
+"""One over the largest share of the curvature's radius that errors may make (`second_order`)."""
+
+SEAM_ROUNDING = sp.Rational(1, 2**20)
+"""Roundings of a distance from a face in single precision, of the sizes of the faces' places."""
+
+
+def tangents(surface: Surface, flight: Parabola) -> dict[str, sp.Expr]:
+    """Return the frame of a contact with a surface, its curvatures, and the roundings there.
+
+    Parameters
+    ----------
+    surface
+        A ring about the vertical axis, a plane across an axis, or a box along the axes.
+    flight
+        The motion between contacts.
+
+    Raises
+    ------
+    TypeError
+        If it is another surface.
+    """
+    if isinstance(surface, Plane):
+        values = _of_plane(surface, flight)
+    elif isinstance(surface, Ring):
+        values = _of_ring(surface, flight)
+    elif isinstance(surface, Box):
+        values = _of_box(surface, flight)
+    else:
+        raise TypeError(
+            f"expected a ring, a plane across an axis or a box along the axes, got {surface.name}"
+        )
+    names = (*TANGENT, *BENDS, sharpest_bend, root_offset, root_level, normal_rounding)
+    return {s.name: sp.sympify(value) for s, value in zip(names, values, strict=True)}
+
+
+def _of_plane(surface: Plane, flight: Parabola) -> Sequence[sp.Expr | int]:
+    """Return the numbers of a contact with a plane.
+
+    The root is off by u (|X| + |c| + max(0, -2 c) + k V t)/V, with the gap c at the start, k <= 4
+    and V the speed towards the plane; |c| is the mean speed times t.
+    """
+    axis = next(k for k, d in enumerate(surface.direction) if d)
+    along = barrier(absolute(velocity[axis]) + absolute(means(flight)[axis])) * t
+    off = barrier(UNIT_ROUNDOFF * barrier(absolute(position[axis]) + 4 * along) + FLOOR)
+    return (*((1, 0) if axis == 1 else (0, 1)), *(0, 0, 0), off, off, 0)
+
+
+def _of_ring(surface: Ring, flight: Parabola) -> Sequence[sp.Expr | int]:
+    """Return the numbers of a contact with the ring.
+
+    The roundings of F are at most u (4 ρ |d| + 2 d² + 5 R²) + 2 |d| p_ρ + 2 |z| p_z
+    (`tests/derive/errors/test_ring_condition.py`). On a return F is less its value at the start.
+    With ℓ the length of the path, p a bound on the roundings of a place, and |d|, |d_0| <= R,
+    (ρ + ρ_0) ℓ >= |ρ² - ρ_0²|, ρ_0/(ρ + ρ_0) <= (R_H + R)/(2 R_H) <= 5/6, the terms there add up to
+    at most 2 R (u (16 + 2 R_H/R) ℓ + 3/2 K p ℓ). Newton's method leaves 9/8 of these roundings, or
+    2^-49 F'²/C <= 2^-48 R² V²/v² (`events/ring/double.py`), and its last step u t of the time. The
+    distance is F/(2 R).
+
+    A search takes F less its value at the start where the margin of F/t times t is less than that
+    of F (`events/predicates.py`). With V_T the speed at the end T of its windows that is so if
+    V_T t <= min(R, R_H - R)/4: its terms are then at most three quarters of those of the latter,
+    in either precision. There |z| <= R, so g T <= 2 max(0, vz) + 2 sqrt(g R) with vz at the start.
+    On a longer return either may be taken, and F itself is off by the level of the start besides.
+    """
+    places, _ = flight_roundings(flight)
+    path = _path(flight)
+    x, y, _ = POSITION
+    rho, reach = barrier(surface.rho), barrier(surface.reach)
+    per_rho, per_reach = barrier(1 / rho), barrier(1 / reach)
+    wide = barrier(surface.ring_radius * per_reach)
+    rounded = barrier(sum(absolute(n) * r for n, r in zip(normal, places, strict=True)))
+    steep = barrier(normal_velocity**2 / barrier(sum(v**2 for v in velocity)))
+    again = barrier(
+        UNIT_ROUNDOFF * barrier(16 + 2 * wide) * path
+        + barrier(sp.Rational(3, 2) * barrier(sum(places)) * path) * surface.curvature
+    )
+    once = barrier(UNIT_ROUNDOFF * barrier(2 * rho + sp.Rational(7, 2) * reach) + rounded)
+    moved = barrier(UNIT_ROUNDOFF * barrier(absolute(normal_velocity) * t) + FLOOR)
+    residue = barrier(16 * UNIT_ROUNDOFF * barrier(reach * steep))
+    again, once = (
+        barrier(noise + maximum(sp.Rational(9, 8) * noise, residue) + moved)
+        for noise in (again, once)
+    )
+    begun = barrier(sum(map(absolute, velocity)) + flight.strength * t)
+    rising = maximum(0, barrier(velocity[2] + flight.strength * t))
+    half_gain = barrier(rising + barrier(sp.sqrt(flight.strength * reach)))
+    swept = barrier(begun + 2 * half_gain) * t
+    short = 4 * barrier(swept * surface.curvature)
+    kept = barrier(BOUNDS[0] + again)
+    offset = IfAtMost(short, 1, again, maximum(again, barrier(once + BOUNDS[0])))
+    level = IfAtMost(short, 1, kept, maximum(kept, once))
+    return (
+        *(-y * per_rho, x * per_rho, per_reach, per_rho, surface.curvature),
+        *(IfLess(0, back, on_return, once) for on_return in (offset, level)),
+        UNIT_ROUNDOFF * barrier(2 * wide + 7),
+    )
+
+
+def _of_box(surface: Box, flight: Parabola) -> Sequence[sp.Expr | int]:
+    """Return the numbers of a contact with a box along the axes.
+
+    Around a face the normals are those of an axis, around an edge those of a cylinder, and around a
+    corner those of a sphere, all with the radius R_B. With h for the horizontal part of the normal,
+    1/ρ is 1/(R_B h) at corners and vertical edges, and zero elsewhere.
+
+    **Lemma (seams).** The bound K on the curvature also is at least 1/(100 d), with the distance d
+    from the nearest plane that a face lies in. As `second_order` asks that K Q <= 1/100, no seam is
+    within the way Q, and the distance from the box is smooth there.
+
+    The roundings of F = Σ e² - R_B² are 2 Σ |e| (p + q), with p those of the place and q those of
+    e, a difference of the place and a face, and at most 8 u R_B² of its squares and sums. On a
+    return F less its value at the start is a sum of products t m (e + e_0) with the mean velocity
+    m, or of e² - e_0² with |e|, |e_0| <= |m| t: as |e|, |e_0| <= R_B but for 2^-14, these add up to
+    at most 2 (ℓ (p + 2 q) + 6 u R_B ℓ), ℓ the length of the path. Newton's method leaves 9/8 of the
+    roundings, or 2^-49 F'²/C with C >= 6 v², and u t of the time. On a return either form may be
+    taken. The distance is F/(2 R_B).
+    """
+    places, _ = flight_roundings(flight)
+    radius = barrier(surface.radius)
+    per_radius = barrier(1 / radius)
+    excess = surface.excess
+    beside = []
+    for place, low, high in surface.faces:
+        known = {place: Rounded(absolute(place))}
+        sides = (rounding(barrier(place - side), known).error for side in (low, high))
+        beside.append(barrier(sp.Add(*sides)))
+    bent_x, bent_y, bent_z = (Less(0, absolute(e)) for e in excess)
+    nx, ny, _ = normal
+    horizontal = barrier(sp.sqrt(barrier(nx**2 + ny**2)))
+    tilted = Less(0, horizontal)
+    per_horizontal = barrier(1 / horizontal)
+    around = barrier(per_radius * per_horizontal)
+    bends = (
+        Choose(all_of(bent_z, tilted), per_radius, 0),
+        Choose(all_of(bent_x, bent_y), around, 0),
+    )
+    nearest = barrier(minimum(*surface.ways_to_seams))
+    blurred = barrier(
+        SEAM_ROUNDING
+        * barrier(sp.Add(*(sp.Abs(side) for _, *sides in surface.faces for side in sides)))
+    )
+    apart = barrier(nearest - blurred)
+    sharpest = IfLess(
+        0, apart, maximum(per_radius, bends[1], barrier(1 / barrier(SEAM_SHARE * apart))), sp.oo
+    )
+    own = [barrier(p + 2 * q) for p, q in zip(places, beside, strict=True)]
+    rounded = barrier(sum(absolute(n) * r for n, r in zip(normal, own, strict=True)))
+    steep = barrier(normal_velocity**2 / barrier(sum(v**2 for v in velocity)))
+    path = _path(flight)
+    once = barrier(rounded + 8 * UNIT_ROUNDOFF * radius)
+    again = barrier(barrier(sum(own)) * path * per_radius + 12 * UNIT_ROUNDOFF * path)
+    moved = barrier(UNIT_ROUNDOFF * barrier(absolute(normal_velocity) * t) + FLOOR)
+    residue = barrier(16 * UNIT_ROUNDOFF * barrier(radius * steep))
+    again, once = (
+        barrier(noise + maximum(sp.Rational(9, 8) * noise, residue) + moved)
+        for noise in (again, once)
+    )
+    kept = barrier(BOUNDS[0] + again)
+    offset, level = maximum(again, barrier(once + BOUNDS[0])), maximum(kept, once)
+    return (
+        Choose(tilted, -ny * per_horizontal, 0),
+        Choose(tilted, nx * per_horizontal, 1),
+        *bends,
+        sharpest,
+        *(IfLess(0, back, on_return, once) for on_return in (offset, level)),
+        barrier(2 * barrier(sum(beside)) * per_radius + 8 * UNIT_ROUNDOFF),
+    )
+
+
+def _path(flight: Parabola) -> sp.Expr:
+    """Return a bound on the length of a flight of time t, given the velocity at its end."""
+    return barrier(sum(map(absolute, velocity)) * t + flight.strength * t**2)
