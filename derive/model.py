@@ -29,7 +29,14 @@ from .scenes.names import check_kernels
 from .scenes.passage import passage_kernels
 from .scenes.scene import Scene
 from .state import shared_kernels
-from .state.fields import NO_ROLLING, NO_ROLLING_IN_AIR, ResultField, fields, results
+from .state.fields import (
+    ALL_ALIKE,
+    NO_ROLLING,
+    NO_ROLLING_IN_AIR,
+    ResultField,
+    fields,
+    results,
+)
 from .state.shared_kernels import LoopSurface
 from .studies import study_kernels
 from .surfaces import Plane, Surface
@@ -127,6 +134,7 @@ def build(scene: Scene) -> Model:
             bool(tabled),
             any(s.search.remembered for s in surfaces),
             scene.proves_errors,
+            scene.proves_bounces,
         ),
         [variable(symbol) for symbol in scene.symbols],
         scene.open_ended,
@@ -136,6 +144,8 @@ def build(scene: Scene) -> Model:
     lacking = {NO_ROLLING} if not scene.rolls else set()
     if not scene.rolls or scene.air is None:
         lacking.add(NO_ROLLING_IN_AIR)
+    if not scene.proves_bounces:
+        lacking.add(ALL_ALIKE)
     every = results(names, scene.outcomes, counted)
     model = Model(
         scene,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..errors import contact_frames, friction, propagation, tighter_bounds
+from ..errors import contact_frames, friction, propagation, provisional, tighter_bounds
 from ..events import bounding_boxes, event_polynomials, search_for
 from ..events.predicates import pad
 from ..scenes import validity
@@ -58,6 +58,7 @@ def argument_order(scene: Scene) -> tuple[sp.Symbol, ...]:
         *propagation.ARGUMENTS,
         *contact_frames.ARGUMENTS,
         *friction.ARGUMENTS,
+        *(provisional.estimated, provisional.clock_bound),
         *tighter_bounds.TIGHTENING,
         *_BOXES,
         *scene.flight.symbols,

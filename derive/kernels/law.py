@@ -82,31 +82,18 @@ def _kernels(
         if scene.bounds_jumps:
             kernels["rebound"] = jump.rebound_kernel(law)
         kernels["grip_deficit"] = friction_limit.friction_excess(law)
-    carried_source = f"derivative of {law.description}, with roundings"
-    if isinstance(scene.flight, Parabola) and scene.proves_errors:
-        if isinstance(law, CoulombFriction) and law.decides:
-            kernels["slip"] = kernel(
-                f"{law.name}_slip",
-                friction.slip_outputs(law.slip(normal, velocity, spin, scene.ball)),
-                order,
-                "Slip of a contact, the share of it that friction takes, and the margin of grip.",
-                law.source,
-            )
-        impact = _impact_errors(law, scene)
-        carried = contact_frames.contact_errors(scene.flight, impact)
-        carried_summary = "Bounds on errors after a contact, from those at the departure before it."
-        kernels["tighten"] = kernel(
-            f"tighten_{law.name}",
-            tighter_bounds.tighter_errors(scene.flight, impact),
-            order,
-            "The same, through the product of derivatives since an earlier contact.",
-            carried_source,
-            scene.single_errors,
-        )
-    else:
-        carried = propagation.errors_after_impact(law, scene.ball, scene.rolls)
-        carried_summary = "Errors of velocity and spin after a contact, from those before it."
-    return kernels | {
+    bounds = _bounds(law, scene, order)
+    carried = bounds.pop("carry", None) or kernel(
+        f"carry_{law.name}",
+        propagation.errors_after_impact(law, scene.ball, scene.rolls),
+        order,
+        "Errors of velocity and spin after a contact, from those before it.",
+        _carried_source(law),
+        scene.single_errors,
+    )
+    return {
+        **kernels,
+        **bounds,
         "impact": kernel(
             law.name,
             components(MOTION, *law.after(normal, velocity, spin, scene.ball)),
@@ -114,16 +101,51 @@ def _kernels(
             "Velocity and spin after a contact, frame-free.",
             law.source,
         ),
-        "carry": kernel(
-            f"carry_{law.name}",
-            carried,
-            order,
-            carried_summary,
-            carried_source,
-            scene.single_errors,
-        ),
+        "carry": carried,
         "vary": law_variation(law, scene, order),
     }
+
+
+def _carried_source(law: Law) -> str:
+    return f"derivative of {law.description}, with roundings"
+
+
+def _bounds(law: Law, scene: Scene, order: tuple[sp.Symbol, ...]) -> dict[str, Kernel]:
+    """Return the kernels that carry proved bounds over a contact, if a scene has some.
+
+    They take the place of the vector of errors (`carry`), or stand beside it (`bound`).
+    """
+    if not isinstance(scene.flight, Parabola) or not (scene.proves_errors or scene.proves_bounces):
+        return {}
+    impact, source = _impact_errors(law, scene), _carried_source(law)
+    kernels = {}
+    if isinstance(law, CoulombFriction) and law.decides:
+        kernels["slip"] = kernel(
+            f"{law.name}_slip",
+            friction.slip_outputs(law.slip(normal, velocity, spin, scene.ball)),
+            order,
+            "Slip of a contact, the share of it that friction takes, and the margin of grip.",
+            law.source,
+        )
+    part = "carry" if scene.proves_errors else "bound"
+    kernels[part] = kernel(
+        f"{part}_{law.name}",
+        contact_frames.contact_errors(scene.flight, impact),
+        order,
+        "Bounds on errors after a contact, from those at the departure before it.",
+        source,
+        True,
+    )
+    if scene.proves_errors:
+        kernels["tighten"] = kernel(
+            f"tighten_{law.name}",
+            tighter_bounds.tighter_errors(scene.flight, impact),
+            order,
+            "The same, through the product of derivatives since an earlier contact.",
+            source,
+            True,
+        )
+    return kernels
 
 
 def _impact_errors(law: Law, scene: Scene) -> contact_frames.Impact:

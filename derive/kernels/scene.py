@@ -8,7 +8,7 @@ import sympy as sp
 
 from ..contact.frame import contact_frame
 from ..contact.no_slip import impact_through_frame
-from ..errors import contact_frames, propagation
+from ..errors import contact_frames, propagation, provisional
 from ..events import bounding_boxes, event_polynomials
 from ..events.air import over_budget
 from ..events.predicates import excess
@@ -268,7 +268,11 @@ def _errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
     if scene.proves_errors:
         return _proved_errors(scene, order)
     single = scene.single_errors
+    of_decisions, reported = propagation.scaled_errors, propagation.scaled_errors
+    if scene.proves_bounces:
+        of_decisions = reported = provisional.error_bounds
     return (
+        *(_proved_bounces(scene, order) if scene.proves_bounces else ()),
         kernel(
             "carry_flight",
             propagation.errors_at_contact(scene.flight, scene.rolls),
@@ -287,7 +291,7 @@ def _errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
         ),
         kernel(
             "error_bounds",
-            propagation.scaled_errors(error_terms.DECISION_FACTOR),
+            of_decisions(error_terms.DECISION_FACTOR),
             order,
             "Bounds on the errors of state and time that decisions allow for.",
             "the carried errors times a factor",
@@ -295,7 +299,7 @@ def _errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
         ),
         kernel(
             "claimed_errors",
-            propagation.scaled_errors(propagation.REPORTED_FACTOR),
+            reported(propagation.REPORTED_FACTOR),
             order,
             "Bounds on the errors of state and time that are reported.",
             "the carried errors times a larger factor",
@@ -304,18 +308,70 @@ def _errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
     )
 
 
+def _proved_bounces(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
+    """Return the kernels of proved bounds on the errors of balls that have not rolled."""
+    flight = scene.parabola
+    return (
+        _normal_velocity(order),
+        kernel(
+            "bound_end",
+            contact_frames.errors_at_end(flight),
+            order,
+            "Bounds on the errors where a flight crosses the end plane.",
+            f"{flight.source}, with roundings",
+            True,
+        ),
+        kernel(
+            "bound_time",
+            provisional.bounds_at_time(flight),
+            order,
+            "Bounds on the errors at the time limit.",
+            f"{flight.source}, with roundings",
+            True,
+        ),
+        kernel(
+            "doubt",
+            provisional.doubt(scene.ball, scene.flight.strength),
+            order,
+            "Whether the bounds of a shot are estimated from a contact on.",
+            "comparison",
+        ),
+        *provisional.KERNELS.values(),
+        *_premises(scene, order),
+    )
+
+
+def _normal_velocity(order: tuple[sp.Symbol, ...]) -> Kernel:
+    return kernel(
+        "normal_velocity",
+        {contact_frames.normal_velocity.name: barrier(velocity.dot(normal))},
+        order,
+        "Velocity along the normal before the impact.",
+        "Table 2",
+    )
+
+
+def _premises(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
+    """Return the kernel of the premises of proved bounds, if a scene has some."""
+    presupposed = premises.premises(scene)
+    if presupposed is None:
+        return ()
+    return (
+        kernel(
+            "premises",
+            presupposed,
+            order,
+            "Whether a shot released in flight fulfils the premises of the proved bounds.",
+            "conservation of energy",
+        ),
+    )
+
+
 def _proved_errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, ...]:
     """Return the kernels of proved bounds on errors; those at a contact are of its law."""
     flight, bounds = scene.parabola, contact_frames.error_bounds()
-    presupposed = premises.premises(scene)
     return (
-        kernel(
-            "normal_velocity",
-            {contact_frames.normal_velocity.name: barrier(velocity.dot(normal))},
-            order,
-            "Velocity along the normal before the impact.",
-            "Table 2",
-        ),
+        _normal_velocity(order),
         kernel(
             "carry_end",
             contact_frames.errors_at_end(flight),
@@ -347,19 +403,7 @@ def _proved_errors(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[Kernel, 
                 ("claimed_errors", "Bounds on the errors of state and time that are reported."),
             )
         ),
-        *(
-            [
-                kernel(
-                    "premises",
-                    presupposed,
-                    order,
-                    "Whether a shot released in flight fulfils the premises of the proved bounds.",
-                    "conservation of energy",
-                )
-            ]
-            if presupposed
-            else []
-        ),
+        *_premises(scene, order),
     )
 
 

@@ -137,8 +137,8 @@ def one_surface_kernels(
         formulas["near"] = (search.reach_test, _REACH, _DISJOINT)
         if search.approach_test:
             formulas["approaches"] = (search.approach_test, _APPROACH, "a separating direction")
-    carried = {"carry_root", "carry_normal", "tangents"} if scene.single_errors else set()
-    single = search.single | carried
+    carried = {"carry_root", "carry_normal"} if scene.single_errors else set()
+    single = search.single | carried | {"tangents"}
     kernels = {
         part: kernel(f"{surface.name}_{part}", outputs, order, summary, equation, part in single)
         for part, (outputs, summary, equation) in formulas.items()
@@ -193,7 +193,7 @@ def _geometry(surface: Surface, scene: Scene) -> dict[str, Formula]:
             "Table 2",
         ),
     }
-    if scene.proves_errors and isinstance(scene.flight, Parabola):
+    if isinstance(scene.flight, Parabola) and (scene.proves_errors or scene.proves_bounces):
         formulas["tangents"] = (
             surface_frames.tangents(surface, scene.flight),
             "Tangent and curvatures at a contact, and bounds on the roundings there.",

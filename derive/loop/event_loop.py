@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from itertools import groupby
 
+from ..errors import provisional
 from ..events.predicates import KERNELS
 from ..events.search import Parts, given, proposed
 from ..ir.event_tree import Call, If, Node, Value, given_as
@@ -290,7 +291,9 @@ def _resolve(
     if "in_contact" in common:
         yield from contact_stages.settled(common, contacts, end_planes)
     timed = Call(common["ends_by_time_limit"], {"index": len(contacts) + len(end_planes)})
-    carried = If("ends_by_time_limit", (Call(common["carry_time"], {"t": "when"}),), rare=True)
+    times = [common[name] for name in ("carry_time", "bound_time") if name in common]
+    expired = tuple(Call(kernel, {"t": "when"}) for kernel in times)
+    carried = If("ends_by_time_limit", expired, rare=True)
     yield If("limited", (timed, carried), rare=True)
     if "in_contact" in common:
         hop = "carry_piece" if "carry_piece" in common else "carry_hop"
@@ -335,23 +338,26 @@ def _contact(
     if end_planes:
         yield If("ends", (Call(common["error_floor"]),))
     yield Call(common["no_normal_error"])
+    if "bound_end" in common:
+        yield from _bounds_until_rolling(common, contacts, end_planes)
     for kind in kinds:
         if "carry_root" in kind.first.parts:
             carried = Call(kind.first.parts["carry_root"])
             yield from kind.evaluate(common, "root_delay", carried)
         yield from kind.evaluate(common, "carry_normal")
     yield from _laws(common, contacts)
+    if "bound_end" in common:
+        yield If("touches", (Call(common["doubt"]),), usual=True)
     for kind in kinds:
         yield from kind.evaluate(common, "place")
     slowed = (Call(common["leaves_slowly"]),) if "in_contact" in common else ()
     yield If("touches", (Call(common["touched"]), *slowed))
 
 
-def _proved_errors(
+def _frames(
     common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface]
 ) -> Iterator[Node]:
-    """Apply the law to the motion and its proved bounds, or bound the errors at an end."""
-    kinds = by_kind(contacts)
+    """Evaluate the frame of a contact, or of an end."""
     yield Call(common["normal_velocity"])
     yield Call(common["came_back"])
     first, *others = (*end_planes, *contacts)
@@ -359,13 +365,36 @@ def _proved_errors(
     for end_plane in others[: max(0, len(end_planes) - 1)]:
         frame = given(end_plane.parts["tangents"], t="when")
         yield from on_surface(common, end_plane.index, frame)
-    for kind in kinds:
+    for kind in by_kind(contacts):
         yield from kind.evaluate(common, "tangents")
+
+
+def _bounds_until_rolling(
+    common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface]
+) -> Iterator[Node]:
+    """Carry proved bounds to a contact or an end, unless the shot's bounds are estimated."""
+    yield from _frames(common, contacts, end_planes)
+    yield Call(common["proving"])
+    if end_planes:
+        yield If("proves_end", tuple(_bounded(common, common["bound_end"])))
+
+
+def _bounded(common: Parts, bound: Kernel) -> Iterator[Call]:
+    """Carry proved bounds over a flight, and count its delay."""
+    frame = provisional.LEFT_NORMAL if "left_nx" in bound.output_names else {}
+    yield Call(bound, {"t": "when", **frame}, {"delay": "proved_delay", **frame})
+    yield Call(common["clock_bound_sum"], {"delay": "proved_delay"})
+
+
+def _proved_errors(
+    common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface]
+) -> Iterator[Node]:
+    """Apply the law to the motion and its proved bounds, or bound the errors at an end."""
+    kinds = by_kind(contacts)
+    yield from _frames(common, contacts, end_planes)
     if end_planes:
         yield If("ends", tuple(_timed(common, common["carry_end"])))
     yield Call(common["tightens"])
-    if _is_one_law(contacts):
-        yield from _carried(common, contacts[0], {})
     yield from _laws(common, contacts)
     for kind in kinds:
         yield from kind.evaluate(common, "place")
@@ -374,15 +403,20 @@ def _proved_errors(
     yield If("touches", (*flagged, Call(common["touched"])))
 
 
-def _carried(common: Parts, surface: LoopSurface, its: Mapping[str, str]) -> Iterator[Node]:
-    """Carry bounds on errors over a contact with a surface that has parameters of its own."""
-    slip = [Call(surface.law["slip"])] if "slip" in surface.law else []
-    carry, tighten = (
-        tuple(given_as(node, its) for node in (*slip, *_timed(common, surface.law[part])))
-        for part in ("carry", "tighten")
-    )
-    yield If("carries", carry, usual=True)
-    yield If("tightens", tighten, rare=True)
+def _law_bounds(common: Parts, surface: LoopSurface, its: Mapping[str, str]) -> Iterator[Node]:
+    """Carry proved bounds over a contact with a surface that has parameters of its own."""
+    law = surface.law
+    slip = [Call(law["slip"])] if "slip" in law else []
+
+    def carried(part: str) -> tuple[Call, ...]:
+        over = _bounded if part == "bound" else _timed
+        return tuple(given_as(call, its) for call in (*slip, *over(common, law[part])))
+
+    if "bound" in law:
+        yield If("proving", carried("bound"), usual=True)
+    if "tighten" in law:
+        yield If("carries", carried("carry"), usual=True)
+        yield If("tightens", carried("tighten"), rare=True)
 
 
 def _timed(common: Parts, carry: Kernel) -> Iterator[Call]:
@@ -400,11 +434,12 @@ def _counted(common: Parts, surface: LoopSurface, fields: Set[str]) -> list[Call
 def _laws(common: Parts, contacts: Sequence[LoopSurface]) -> Iterator[Node]:
     """Apply the law of the body to the motion and its errors."""
     if _is_one_law(contacts):
+        yield from _law_bounds(common, contacts[0], {})
         yield If("touches", tuple(_law(common, contacts[0])), usual=True)
         return
 
     def nodes(surface: LoopSurface, its: Mapping[str, str]) -> tuple[Node, ...]:
-        carried = _carried(common, surface, its) if "carry_end" in common else ()
+        carried = _law_bounds(common, surface, its)
         return (*carried, *(given_as(node, its) for node in _law(common, surface)))
 
     for surfaces in by_law(contacts):

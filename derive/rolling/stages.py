@@ -126,7 +126,8 @@ def settled(
     holders = [surface for surface in contacts if "rolling_surface" in surface.parts]
     if not holders:
         return
-    nodes = [*_normals(common, holders), Call(common["off_at_start"])]
+    nodes: list[Node] = [Call(common["estimates"])] if "estimates" in common else []
+    nodes += [*_normals(common, holders), Call(common["off_at_start"])]
     nodes.append(If("put_on", tuple(_put_on(common, holders)), rare=True))
     nodes += [Call(common["nearly"]), Call(common["gripped"])]
     if "air_rates" in common:  # by the spin after the contact

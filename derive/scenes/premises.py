@@ -79,7 +79,8 @@ def premises(scene: Scene) -> dict[str, sp.Basic] | None:
         if isinstance(plane, Plane) and plane.direction == (0, 0, 1) and not plane.bounds
     ]
     rings = [surface for surface in scene.surfaces if isinstance(surface, Ring)]
-    if not (scene.proves_errors and floors and rings):
+    proves = scene.proves_errors or scene.proves_bounces
+    if not (proves and floors and rings):
         return None
     ball, gravity, height = scene.ball, scene.flight.strength, barrier(floors[0].offset)
     around = barrier(

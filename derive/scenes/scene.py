@@ -197,9 +197,22 @@ class Scene:
     @property
     def proves_errors(self) -> bool:
         """True if errors have proved bounds: no ball rolls, and surfaces and laws have lemmas."""
+        return not self.rolls and self._has_lemmas
+
+    @property
+    def proves_bounces(self) -> bool:
+        """True if errors have proved bounds until a ball rolls, beside those that are estimated.
+
+        A start at a plane is not decided where balls roll, so that no body may have one.
+        """
+        planes = any(isinstance(surface, Plane) for surface in self.surfaces)
+        return self.rolls and self._has_lemmas and not planes
+
+    @property
+    def _has_lemmas(self) -> bool:
+        """True if flights, surfaces and laws have the lemmas of proved bounds."""
         return (
-            not self.rolls
-            and isinstance(self.flight, Parabola)
+            isinstance(self.flight, Parabola)
             and self.flight.upright
             and all(map(proves_contacts, (*self.surfaces, *self.end_planes)))
             and all(isinstance(law, NoSlip | CoulombFriction) for law in self.laws)

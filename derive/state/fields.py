@@ -13,7 +13,7 @@ from math import inf
 
 import sympy as sp
 
-from ..errors import contact_frames, tighter_bounds
+from ..errors import contact_frames, provisional, tighter_bounds
 from ..symbolic.error_terms import ERRORS
 from ..symbolic.symbols import STATE
 
@@ -55,6 +55,10 @@ NO_ROLLING = "no ball rolls"
 
 NO_ROLLING_IN_AIR = "no ball rolls in air"
 """Why a scene without air, or in which no ball rolls, lacks what is said of rolling in air."""
+
+
+ALL_ALIKE = "the bounds of all shots are proved, or those of all are estimated"
+"""Why a scene does not say of which shots the bounds are estimated."""
 
 
 @dataclass(frozen=True)
@@ -166,6 +170,7 @@ def fields(
     measured: bool = False,
     remembered: bool = False,
     proved: bool = False,
+    provisional_bounds: bool = False,
 ) -> tuple[Field, ...]:
     """Return the fields of a shot.
 
@@ -185,6 +190,8 @@ def fields(
         True if a flight may begin on a plane besides the surface that was touched last.
     proved
         True if errors have proved bounds.
+    provisional_bounds
+        True if they have until a ball rolls.
     """
     rolling = (
         Field("held", NONE, "surface that it stays in contact with, -1: none"),
@@ -198,6 +205,8 @@ def fields(
     )
     state = (Field(s.name, None, "of the state") for s in STATE)
     carried = contact_frames.CARRIED if proved else ERRORS
+    if provisional_bounds:
+        carried = (*carried, *provisional.CARRIED)
     errors = (Field(s.name, 0.0, _carried(s), True) for s in carried)
     more = tighter_bounds.TIGHTENING if proved else ()
     tightening = (Field(s.name, 0.0, "to tighten bounds on errors", True, True) for s in more)
@@ -235,6 +244,10 @@ def _carried(symbol: sp.Symbol) -> str:
     """Return the meaning of a carried number."""
     if symbol in ERRORS:
         return f"carried error of {symbol.name[1:]}"
+    if symbol == provisional.estimated:
+        return "1: bounds on its errors are estimated from here on"
+    if symbol == provisional.clock_bound:
+        return "bound on what the contacts' times were off by, summed"
     if symbol in contact_frames.NORMS:
         return f"bound on the error of the {symbol.name.split('_')[0]}"
     if symbol in contact_frames.BOUNDS:
@@ -285,6 +298,16 @@ _ROLLING = (
         units=("s",),
         proved=inf,
     ),
+)
+
+_ESTIMATED = ResultField(
+    "estimated",
+    "bool",
+    ("estimated",),
+    "its flag and the bounds on its errors are estimated, not proved",
+    is_diagnostic=True,
+    absence=ALL_ALIKE,
+    proved=0.0,
 )
 
 _STATE_UNITS = ("m", "m", "m", "m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s")
@@ -387,4 +410,5 @@ def results(
             "a decision lies within its rounding-error bound",
             is_diagnostic=True,
         ),
+        _ESTIMATED,
     )

@@ -1,6 +1,6 @@
 /* court: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene court, derivation cf814d7dac6b467f,
+   Generated from templates/c/scene.c.j2, scene court, derivation ea060a301a126bc8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 
@@ -125,7 +125,7 @@ typedef struct {
 static int bounded(const court_job *job)
 {
     const court_results *out = job->results;
-    return out->event_errors || out->grip_lost || out->time_error || out->state_error || out->uncertain;
+    return out->event_errors || out->grip_lost || out->time_error || out->state_error || out->uncertain || out->estimated;
 }
 
 /* Whether the caller wants no more; another thread may say so at any time. */

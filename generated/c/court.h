@@ -1,6 +1,6 @@
 /* court: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene court, derivation cf814d7dac6b467f,
+   Generated from templates/c/scene.h.j2, scene court, derivation ea060a301a126bc8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile court.c, next to which this and the other files
@@ -116,6 +116,7 @@ typedef struct {
     double *time_error; /* bound on the error of time */
     double *state_error; /* [shot][3], bounds on the errors of each component of position, velocity and spin */
     uint8_t *uncertain; /* a decision lies within its rounding-error bound */
+    uint8_t *estimated; /* its flag and the bounds on its errors are estimated, not proved */
     court_event *events;   /* [shot][COURT_LOG_ROWS * max_contacts + 1] */
     int32_t *event_counts;   /* rows of `events` used, by shot */
     court_event_errors *event_errors; /* NULL, or with `events`: as many rows */

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation cf814d7dac6b467f,
+   Generated from templates/c/engine.h.j2, scene court, derivation ea060a301a126bc8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -68,6 +68,9 @@ LANES_INLINE void LANES(court_ahead)(const court_job *job, size_t shot, int stre
     if (out->uncertain)
         for (size_t byte = 0; byte < sizeof *out->uncertain * LANES_WIDTH; byte += 64)
             __builtin_prefetch((const char *)out->uncertain + sizeof *out->uncertain * shot + byte, 1, 3);
+    if (out->estimated)
+        for (size_t byte = 0; byte < sizeof *out->estimated * LANES_WIDTH; byte += 64)
+            __builtin_prefetch((const char *)out->estimated + sizeof *out->estimated * shot + byte, 1, 3);
 #else
     (void)job, (void)shot, (void)streams;
 #endif

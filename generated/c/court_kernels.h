@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation cf814d7dac6b467f,
+   Generated from templates/c/kernels.h.j2, scene court, derivation ea060a301a126bc8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -95,6 +95,116 @@ LANES(court_displacement)(V delay, V horizon, V extent, V speed, V position_erro
     const V _s0 = lanes_add(speed, lanes_mul(_c0, horizon));
     const V _s1 = lanes_add(extent, lanes_mul(horizon, _s0));
     return (LANES(court_displacement_out)){ lanes_add(lanes_add(lanes_mul(lanes_mul(K(1.0009765625), delay), _s0), lanes_mul(K(4.445228907190568e-16), lanes_add(_s1, _c1))), lanes_mul(K(3.0029296875), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s1)))) };
+}
+
+/* Velocity along the normal before the impact.
+   Table 2. 5 operations: 2 additions, 3 multiplications. */
+typedef struct {
+    V normal_velocity;
+} LANES(court_normal_velocity_out);
+
+LANES_INLINE LANES(court_normal_velocity_out)
+LANES(court_normal_velocity)(V vx, V vy, V vz, V nx, V ny, V nz)
+{
+    return (LANES(court_normal_velocity_out)){ lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz)) };
+}
+
+/* Bounds on the errors where a flight crosses the end plane.
+   Eq. 3, with roundings. 62 operations: 25 additions, 1 subtraction, 22 multiplications, 1 division, 8 absolute values, 1 comparison, 4 selections. */
+typedef struct {
+    S position_bound, velocity_bound, spin_bound, delay;
+} LANES(court_bound_end_out);
+
+LANES_INLINE LANES(court_bound_end_out)
+LANES(court_bound_end)(S t, S x, S y, S z, S vx, S vy, S vz, S clock, S position_bound, S velocity_bound, S spin_bound, S root_offset, S normal_velocity, S _c0, S _c1)
+{
+    const S _s0 = singles_abs(vx);
+    const S _s1 = singles_mul(KS(2.0), t);
+    const S _s2 = singles_abs(vy);
+    const S _s3 = singles_add(singles_add(singles_mul(_c1, singles_mul(t, t)), singles_mul(_s1, singles_abs(singles_add(vz, singles_mul(_c1, t))))), singles_abs(z));
+    const S _s4 = singles_add(singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s1, _s0), singles_abs(x)))), singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s1, _s2), singles_abs(y))))), singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s3)));
+    const S _s5 = singles_add(singles_add(singles_add(position_bound, root_offset), singles_mul(t, velocity_bound)), _s4);
+    const S _s6 = singles_abs(normal_velocity);
+    const S _s7 = singles_div(singles_mul(KS(1.1), _s5), _s6);
+    const S _s8 = singles_abs(vz);
+    const S _s9 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_add(singles_add(singles_mul(_c0, t), _s0), _s2), _s8)));
+    const S _s10 = singles_add(singles_mul(_c0, _s7), singles_add(velocity_bound, _s9));
+    const S _s11 = singles_mul(KS(1.0009765625), singles_add(singles_mul(_s7, singles_add(_s10, singles_add(singles_add(_s0, _s2), _s8))), _s5));
+    const Q _s12 = singles_at_most(singles_sub(singles_mul(KS(12.0), _s10), _s6), KS(0.0));
+    return (LANES(court_bound_end_out)){ singles_select(_s12, _s11, KS(INFINITY)), singles_select(_s12, singles_mul(KS(1.0009765625), _s10), KS(INFINITY)), singles_select(_s12, singles_mul(KS(1.0009765625), spin_bound), KS(INFINITY)), singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_select(_s12, singles_mul(KS(1.0009765625), _s7), KS(INFINITY))) };
+}
+
+/* Bounds on the errors at the time limit.
+   Eq. 3, with roundings. 50 operations: 24 additions, 19 multiplications, 7 absolute values. */
+typedef struct {
+    S position_bound, velocity_bound, spin_bound, clock_bound;
+} LANES(court_bound_time_out);
+
+LANES_INLINE LANES(court_bound_time_out)
+LANES(court_bound_time)(S t, S x, S y, S z, S vx, S vy, S vz, S clock, S position_bound, S velocity_bound, S spin_bound, S clock_bound, S _c0, S _c1)
+{
+    const S _s0 = singles_add(clock_bound, singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)));
+    const S _s1 = singles_abs(vx);
+    const S _s2 = singles_abs(vy);
+    const S _s3 = singles_abs(vz);
+    const S _s4 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_add(singles_add(singles_mul(_c0, t), _s1), _s2), _s3)));
+    const S _s5 = singles_add(singles_add(velocity_bound, singles_mul(_c0, _s0)), _s4);
+    const S _s6 = singles_mul(KS(2.0), t);
+    const S _s7 = singles_add(singles_add(singles_mul(_c1, singles_mul(t, t)), singles_mul(_s6, singles_abs(singles_add(vz, singles_mul(_c1, t))))), singles_abs(z));
+    const S _s8 = singles_add(singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s6, _s1), singles_abs(x)))), singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s6, _s2), singles_abs(y))))), singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s7)));
+    const S _s9 = singles_add(singles_add(singles_add(position_bound, singles_mul(t, velocity_bound)), singles_mul(_s0, singles_add(_s5, singles_add(singles_add(_s1, _s2), _s3)))), _s8);
+    return (LANES(court_bound_time_out)){ singles_mul(KS(1.0009765625), _s9), singles_mul(KS(1.0009765625), _s5), singles_mul(KS(1.0009765625), spin_bound), KS(0.0) };
+}
+
+/* Whether the bounds of a shot are estimated from a contact on.
+   comparison. 17 operations: 2 additions, 4 multiplications, 5 comparisons, 2 conjunctions, 2 disjunctions, 1 complement, 1 selection. */
+typedef struct {
+    V estimated;
+} LANES(court_doubt_out);
+
+LANES_INLINE LANES(court_doubt_out)
+LANES(court_doubt)(V vx, V vy, V vz, V nx, V ny, V nz, V position_bound, V velocity_bound, V spin_bound, V estimated, V _c0)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const M _s1 = lanes_either(lanes_either(lanes_less(K(0.0), estimated), lanes_not(lanes_both(lanes_both(lanes_at_most(position_bound, K(1.1641532182693481e-10)), lanes_less(velocity_bound, K(INFINITY))), lanes_less(spin_bound, K(INFINITY))))), lanes_less(lanes_mul(_s0, _s0), _c0));
+    return (LANES(court_doubt_out)){ lanes_select(_s1, K(1.0), K(0.0)) };
+}
+
+/* Whether a contact, and an end, of a shot is met that is not estimated.
+   Table 1. 3 operations: 1 comparison, 2 conjunctions. */
+typedef struct {
+    M proving, proves_end;
+} LANES(court_proving_out);
+
+LANES_INLINE LANES(court_proving_out)
+LANES(court_proving)(M ends, M touches, V estimated)
+{
+    const M _s0 = lanes_at_most(estimated, K(0.0));
+    return (LANES(court_proving_out)){ lanes_both(touches, _s0), lanes_both(ends, _s0) };
+}
+
+/* A ball that may begin to roll is estimated from then on.
+   Table 1. No operations. */
+typedef struct {
+    V estimated;
+} LANES(court_estimates_out);
+
+LANES_INLINE LANES(court_estimates_out)
+LANES(court_estimates)(void)
+{
+    return (LANES(court_estimates_out)){ K(1.0) };
+}
+
+/* Sum of the proved bounds on the delays of contacts.
+   Table 1. 1 operation: 1 addition. */
+typedef struct {
+    S clock_bound;
+} LANES(court_clock_bound_sum_out);
+
+LANES_INLINE LANES(court_clock_bound_sum_out)
+LANES(court_clock_bound_sum)(S delay, S clock_bound)
+{
+    return (LANES(court_clock_bound_sum_out)){ singles_add(delay, clock_bound) };
 }
 
 /* Errors of the state at the end of a flight to a surface, from those at its start.
@@ -199,51 +309,53 @@ LANES(court_carry_time)(V t, V x, V y, V z, V vx, V vy, V vz, V clock, V clock_e
 }
 
 /* Bounds on the errors of state and time that decisions allow for.
-   the carried errors times a factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+   the carried errors times a factor. 30 operations: 4 multiplications, 9 absolute values, 7 comparisons, 10 selections. */
 typedef struct {
     V position_error, velocity_error, spin_error, time_error;
 } LANES(court_error_bounds_out);
 
 LANES_INLINE LANES(court_error_bounds_out)
-LANES(court_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
+LANES(court_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V position_bound, V velocity_bound, V spin_bound, V estimated, V clock_bound)
 {
     const V _s0 = lanes_abs(dx);
     const V _s1 = lanes_abs(dy);
     const V _s2 = lanes_max(_s0, _s1);
     const V _s3 = lanes_abs(dz);
-    const V _s4 = lanes_abs(dvx);
-    const V _s5 = lanes_abs(dvy);
-    const V _s6 = lanes_max(_s4, _s5);
-    const V _s7 = lanes_abs(dvz);
-    const V _s8 = lanes_abs(dwx);
-    const V _s9 = lanes_abs(dwy);
-    const V _s10 = lanes_max(_s8, _s9);
-    const V _s11 = lanes_abs(dwz);
-    return (LANES(court_error_bounds_out)){ lanes_mul(K(16.0), lanes_max(_s2, _s3)), lanes_mul(K(16.0), lanes_max(_s6, _s7)), lanes_mul(K(16.0), lanes_max(_s10, _s11)), lanes_mul(K(16.0), clock_error) };
+    const M _s4 = lanes_less(K(0.0), estimated);
+    const V _s5 = lanes_abs(dvx);
+    const V _s6 = lanes_abs(dvy);
+    const V _s7 = lanes_max(_s5, _s6);
+    const V _s8 = lanes_abs(dvz);
+    const V _s9 = lanes_abs(dwx);
+    const V _s10 = lanes_abs(dwy);
+    const V _s11 = lanes_max(_s9, _s10);
+    const V _s12 = lanes_abs(dwz);
+    return (LANES(court_error_bounds_out)){ lanes_select(_s4, lanes_mul(K(16.0), lanes_max(_s2, _s3)), position_bound), lanes_select(_s4, lanes_mul(K(16.0), lanes_max(_s7, _s8)), velocity_bound), lanes_select(_s4, lanes_mul(K(16.0), lanes_max(_s11, _s12)), spin_bound), lanes_select(_s4, lanes_mul(K(16.0), clock_error), clock_bound) };
 }
 
 /* Bounds on the errors of state and time that are reported.
-   the carried errors times a larger factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+   the carried errors times a larger factor. 30 operations: 4 multiplications, 9 absolute values, 7 comparisons, 10 selections. */
 typedef struct {
     V position_error, velocity_error, spin_error, time_error;
 } LANES(court_claimed_errors_out);
 
 LANES_INLINE LANES(court_claimed_errors_out)
-LANES(court_claimed_errors)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
+LANES(court_claimed_errors)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V position_bound, V velocity_bound, V spin_bound, V estimated, V clock_bound)
 {
     const V _s0 = lanes_abs(dx);
     const V _s1 = lanes_abs(dy);
     const V _s2 = lanes_max(_s0, _s1);
     const V _s3 = lanes_abs(dz);
-    const V _s4 = lanes_abs(dvx);
-    const V _s5 = lanes_abs(dvy);
-    const V _s6 = lanes_max(_s4, _s5);
-    const V _s7 = lanes_abs(dvz);
-    const V _s8 = lanes_abs(dwx);
-    const V _s9 = lanes_abs(dwy);
-    const V _s10 = lanes_max(_s8, _s9);
-    const V _s11 = lanes_abs(dwz);
-    return (LANES(court_claimed_errors_out)){ lanes_mul(K(64.0), lanes_max(_s2, _s3)), lanes_mul(K(64.0), lanes_max(_s6, _s7)), lanes_mul(K(64.0), lanes_max(_s10, _s11)), lanes_mul(K(64.0), clock_error) };
+    const M _s4 = lanes_less(K(0.0), estimated);
+    const V _s5 = lanes_abs(dvx);
+    const V _s6 = lanes_abs(dvy);
+    const V _s7 = lanes_max(_s5, _s6);
+    const V _s8 = lanes_abs(dvz);
+    const V _s9 = lanes_abs(dwx);
+    const V _s10 = lanes_abs(dwy);
+    const V _s11 = lanes_max(_s9, _s10);
+    const V _s12 = lanes_abs(dwz);
+    return (LANES(court_claimed_errors_out)){ lanes_select(_s4, lanes_mul(K(64.0), lanes_max(_s2, _s3)), position_bound), lanes_select(_s4, lanes_mul(K(64.0), lanes_max(_s7, _s8)), velocity_bound), lanes_select(_s4, lanes_mul(K(64.0), lanes_max(_s11, _s12)), spin_bound), lanes_select(_s4, lanes_mul(K(64.0), clock_error), clock_bound) };
 }
 
 /* 1 if finite parameters are allowed.
@@ -985,6 +1097,18 @@ LANES_INLINE LANES(court_elsewhere_out)
 LANES(court_elsewhere)(void)
 {
     return (LANES(court_elsewhere_out)){ K(INFINITY) };
+}
+
+/* 1 if the flight began on the surface that the ball meets.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+typedef struct {
+    V back;
+} LANES(court_came_back_out);
+
+LANES_INLINE LANES(court_came_back_out)
+LANES(court_came_back)(V last, V which)
+{
+    return (LANES(court_came_back_out)){ lanes_select(lanes_equal(last, which), K(1.0), K(0.0)) };
 }
 
 /* Whether the ball meets the same surface again.
@@ -2573,6 +2697,395 @@ LANES(court_ring_impact_grip_deficit)(V rolling_friction, V rolling_friction_rat
     return (LANES(court_ring_impact_grip_deficit_out)){ lanes_sub(rolling_friction, lanes_mul(_c0, lanes_mul(force, force))), lanes_sub(rolling_friction_rate, lanes_mul(_c0, lanes_mul(K(2.0), lanes_mul(force, force_rate)))) };
 }
 
+/* Slip of a contact, the share of it that friction takes, and the margin of grip.
+   momentum, angular momentum and Coulomb's law of friction. 60 operations: 5 additions, 11 subtractions, 26 multiplications, 4 divisions, 1 square root, 1 negation, 4 comparisons, 8 selections. */
+typedef struct {
+    V slip_share, slip_margin, slip_speed, slip_x, slip_y, slip_z;
+} LANES(court_ring_impact_slip_out);
+
+LANES_INLINE LANES(court_ring_impact_slip_out)
+LANES(court_ring_impact_slip)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ring_restitution, V p_ring_friction, V _c0, V _c1, V _c2, V _c3)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s0)), lanes_mul(_c0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s2 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s0)), lanes_mul(_c0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s3 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s0)), lanes_mul(_c0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s4 = lanes_add(lanes_add(lanes_mul(_s1, _s1), lanes_mul(_s2, _s2)), lanes_mul(_s3, _s3));
+    const V _s5 = lanes_mul(p_ring_friction, lanes_mul(lanes_add(K(1.0), lanes_div(p_ring_restitution, lanes_sub(K(1.0), lanes_div(_s0, _c1)))), _s0));
+    const V _s6 = lanes_neg(_s5);
+    const V _s7 = lanes_sqrt(_s4);
+    const M _s8 = lanes_less(p_ring_friction, K(INFINITY));
+    const M _s9 = lanes_less(K(0.0), p_ring_friction);
+    const V _s10 = lanes_div(K(1.0), _s7);
+    const M _s11 = lanes_less(K(0.0), _s7);
+    return (LANES(court_ring_impact_slip_out)){ lanes_select(_s9, lanes_select(_s8, lanes_select(lanes_at_most(lanes_mul(_s4, _c3), lanes_mul(_s6, _s6)), _c2, lanes_div(_s6, _s7)), _c2), K(0.0)), lanes_select(_s9, lanes_select(_s8, lanes_sub(_s6, lanes_mul(_c2, _s7)), K(1.0)), K(1.0)), _s7, lanes_select(_s11, lanes_mul(_s3, _s10), K(0.0)), lanes_select(_s11, lanes_mul(_s2, _s10), K(0.0)), lanes_select(_s11, lanes_mul(_s1, _s10), K(0.0)) };
+}
+
+/* Bounds on errors after a contact, from those at the departure before it.
+   derivative of the contact with friction, with roundings. 1515 operations: 369 additions, 141 subtractions, 722 multiplications, 12 divisions, 92 negations, 132 absolute values, 16 comparisons, 31 selections. */
+typedef struct {
+    S place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay;
+} LANES(court_bound_ring_impact_out);
+
+LANES_INLINE LANES(court_bound_ring_impact_out)
+LANES(court_bound_ring_impact)(S t, S x, S y, S z, S vx, S vy, S vz, S wx, S wy, S wz, S nx, S ny, S nz, S clock, S left_nx, S left_ny, S left_nz, S place_n, S place_s, S place_e, S pace_n, S pace_s, S pace_e, S turn_n, S turn_z, S position_bound, S velocity_bound, S spin_bound, S tangent_x, S tangent_y, S bend_s, S bend_e, S left_ex, S left_ey, S left_bend_s, S left_bend_e, S sharpest_bend, S root_offset, S root_level, S normal_rounding, S normal_velocity, S back, S slip_share, S slip_margin, S slip_speed, S slip_x, S slip_y, S slip_z, S p_ring_restitution, S p_ring_friction, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9, S _c10, S _c11)
+{
+    const S _s0 = singles_neg(singles_mul(_c1, nz));
+    const S _s1 = singles_abs(vx);
+    const S _s2 = singles_mul(KS(2.0), t);
+    const S _s3 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s2, _s1), singles_abs(x))));
+    const S _s4 = singles_abs(vy);
+    const S _s5 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s2, _s4), singles_abs(y))));
+    const S _s6 = singles_add(singles_add(singles_mul(_c3, singles_mul(t, t)), singles_mul(_s2, singles_abs(singles_add(vz, singles_mul(_c3, t))))), singles_abs(z));
+    const S _s7 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s6));
+    const S _s8 = singles_add(singles_add(singles_add(position_bound, singles_mul(t, velocity_bound)), singles_add(singles_add(_s3, _s5), _s7)), singles_max(root_offset, root_level));
+    const S _s9 = singles_add(singles_add(singles_mul(nx, left_nx), singles_mul(ny, left_ny)), singles_mul(nz, left_nz));
+    const S _s10 = singles_sub(_s9, back);
+    const S _s11 = singles_mul(nz, tangent_y);
+    const S _s12 = singles_neg(singles_mul(nz, tangent_x));
+    const S _s13 = singles_add(singles_mul(left_ex, _s11), singles_mul(left_ey, _s12));
+    const S _s14 = singles_mul(left_bend_s, _s13);
+    const S _s15 = singles_add(singles_mul(vx, tangent_x), singles_mul(vy, tangent_y));
+    const S _s16 = singles_add(singles_mul(tangent_x, left_ex), singles_mul(tangent_y, left_ey));
+    const S _s17 = singles_mul(left_bend_s, _s16);
+    const S _s18 = singles_sub(singles_mul(ny, tangent_x), singles_mul(nx, tangent_y));
+    const S _s19 = singles_add(singles_add(singles_mul(vx, _s11), singles_mul(vy, _s12)), singles_mul(vz, _s18));
+    const S _s20 = singles_neg(singles_mul(_c1, _s18));
+    const S _s21 = singles_sub(_s19, singles_mul(t, _s20));
+    const S _s22 = singles_sub(singles_mul(_s14, _s15), singles_mul(_s17, _s21));
+    const S _s23 = singles_mul(left_nz, left_ey);
+    const S _s24 = singles_neg(singles_mul(left_nz, left_ex));
+    const S _s25 = singles_sub(singles_mul(left_ny, left_ex), singles_mul(left_nx, left_ey));
+    const S _s26 = singles_add(singles_add(singles_mul(nx, _s23), singles_mul(ny, _s24)), singles_mul(nz, _s25));
+    const S _s27 = singles_add(singles_mul(t, _s22), _s26);
+    const S _s28 = singles_mul(left_bend_e, _s18);
+    const S _s29 = singles_mul(_s28, _s15);
+    const S _s30 = singles_add(singles_mul(nx, left_ex), singles_mul(ny, left_ey));
+    const S _s31 = singles_add(singles_mul(t, _s29), _s30);
+    const S _s32 = singles_mul(t, _s9);
+    const S _s33 = singles_mul(t, _s26);
+    const S _s34 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s10)), singles_mul(place_s, singles_abs(_s27))), singles_mul(place_e, singles_abs(_s31))), singles_mul(pace_n, singles_abs(_s32))), singles_mul(pace_s, singles_abs(_s33)));
+    const S _s35 = singles_mul(t, _s30);
+    const S _s36 = singles_mul(_c1, t);
+    const S _s37 = singles_abs(vz);
+    const S _s38 = singles_add(singles_add(_s1, _s4), _s37);
+    const S _s39 = singles_add(singles_mul(place_s, left_bend_s), singles_mul(place_e, left_bend_e));
+    const S _s40 = singles_mul(singles_add(_s36, _s38), _s39);
+    const S _s41 = singles_mul(KS(7.62939453125e-06), singles_add(singles_mul(t, _s40), _s8));
+    const S _s42 = singles_add(singles_add(singles_add(root_offset, singles_mul(singles_mul(KS(1.02), singles_mul(sharpest_bend, _s8)), _s8)), singles_add(_s34, singles_mul(pace_e, singles_abs(_s35)))), _s41);
+    const S _s43 = singles_abs(normal_velocity);
+    const S _s44 = singles_div(singles_mul(KS(1.1), _s42), _s43);
+    const S _s45 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_add(singles_add(_s36, _s1), _s4), _s37)));
+    const S _s46 = singles_add(velocity_bound, _s45);
+    const S _s47 = singles_add(singles_mul(_c1, _s44), _s46);
+    const S _s48 = singles_add(_s47, _s38);
+    const S _s49 = singles_add(singles_mul(_s44, _s48), _s8);
+    const S _s50 = singles_mul(KS(1.02), sharpest_bend);
+    const S _s51 = singles_mul(_s50, _s49);
+    const S _s52 = singles_sub(singles_mul(KS(12.0), singles_add(singles_add(singles_mul(singles_abs(_s0), _s44), singles_mul(_s51, _s48)), _s46)), _s43);
+    const S _s53 = singles_sub(singles_mul(KS(100.0), singles_mul(sharpest_bend, _s49)), KS(1.0));
+    const S _s54 = singles_max(_s52, _s53);
+    const S _s55 = singles_add(singles_mul(_c3, singles_mul(_s44, _s44)), singles_mul(_s44, _s46));
+    const S _s56 = singles_div(singles_add(singles_mul(_s51, _s49), _s55), _s43);
+    const S _s57 = singles_add(singles_mul(_s56, _s38), _s55);
+    const S _s58 = singles_add(singles_add(root_level, _s57), singles_add(singles_add(singles_mul(singles_abs(nx), _s3), singles_mul(singles_abs(ny), _s5)), singles_mul(singles_abs(nz), _s7)));
+    const S _s59 = singles_mul(bend_s, _s58);
+    const S _s60 = singles_sub(singles_mul(KS(4194304.0), singles_add(singles_mul(place_n, left_bend_s), _s59)), KS(1.0));
+    const S _s61 = singles_max(_s54, _s60);
+    const S _s62 = singles_add(singles_add(singles_abs(wx), singles_abs(wy)), singles_abs(wz));
+    const S _s63 = singles_mul(KS(1.125), _s51);
+    const S _s64 = singles_add(spin_bound, singles_mul(_s63, singles_add(spin_bound, _s62)));
+    const S _s65 = singles_add(singles_mul(_s63, _s48), _s47);
+    const S _s66 = singles_add(singles_mul(_c0, _s64), _s65);
+    const S _s67 = singles_add(normal_rounding, _s59);
+    const S _s68 = singles_add(singles_mul(normal_rounding, singles_add(_s38, _s43)), singles_mul(singles_mul(KS(2.0), _s59), _s43));
+    const S _s69 = singles_add(singles_mul(singles_mul(_c0, _s67), _s62), _s68);
+    const S _s70 = singles_add(_s66, _s69);
+    const S _s71 = singles_mul(_s67, _s38);
+    const S _s72 = singles_add(KS(1.0), p_ring_restitution);
+    const S _s73 = singles_select(singles_less(p_ring_friction, KS(INFINITY)), singles_mul(p_ring_friction, _s72), KS(0.0));
+    const S _s74 = singles_add(singles_mul(_c0, _s62), _s38);
+    const S _s75 = singles_mul(_c4, _s74);
+    const S _s76 = singles_sub(singles_add(singles_mul(KS(1.125), singles_add(singles_mul(_c4, _s70), singles_mul(singles_add(_s71, _s65), _s73))), singles_mul(KS(3.552713678800501e-15), singles_add(_s75, singles_mul(_s38, _s73)))), singles_abs(slip_margin));
+    const S _s77 = singles_max(_s61, _s76);
+    const Q _s78 = singles_less(slip_margin, KS(0.0));
+    const S _s79 = singles_select(_s78, singles_sub(singles_mul(KS(5.0), singles_add(singles_mul(KS(9.5367431640625e-07), _s74), _s70)), slip_speed), KS(-1.0));
+    const S _s80 = singles_mul(KS(1.0009765625), _s58);
+    const Q _s81 = singles_at_most(singles_max(_s77, _s79), KS(0.0));
+    const S _s82 = singles_div(singles_add(root_offset, _s41), _s43);
+    const S _s83 = singles_add(singles_mul(singles_abs(_s19), _s82), singles_add(singles_add(singles_mul(singles_abs(_s12), _s5), singles_mul(singles_abs(_s11), _s3)), singles_mul(singles_abs(_s18), _s7)));
+    const S _s84 = singles_add(singles_add(_s57, singles_mul(KS(7.62939453125e-06), _s49)), _s41);
+    const S _s85 = singles_div(KS(1.0), normal_velocity);
+    const S _s86 = singles_neg(singles_mul(_s85, _s10));
+    const S _s87 = singles_add(singles_add(singles_mul(left_nx, _s11), singles_mul(left_ny, _s12)), singles_mul(left_nz, _s18));
+    const S _s88 = singles_add(singles_mul(_s86, _s19), _s87);
+    const S _s89 = singles_neg(singles_mul(_s85, _s27));
+    const S _s90 = singles_sub(normal_velocity, singles_mul(t, _s0));
+    const S _s91 = singles_mul(left_bend_s, _s30);
+    const S _s92 = singles_sub(singles_mul(_s17, _s90), singles_mul(_s91, _s15));
+    const S _s93 = singles_add(singles_add(singles_mul(_s12, _s24), singles_mul(_s11, _s23)), singles_mul(_s18, _s25));
+    const S _s94 = singles_add(singles_mul(_s89, _s19), singles_add(singles_mul(t, _s92), _s93));
+    const S _s95 = singles_neg(singles_mul(_s85, _s31));
+    const S _s96 = singles_mul(nz, left_bend_e);
+    const S _s97 = singles_neg(singles_mul(_s96, _s15));
+    const S _s98 = singles_add(singles_mul(_s95, _s19), singles_add(singles_mul(t, _s97), _s13));
+    const S _s99 = singles_neg(singles_mul(_s85, _s32));
+    const S _s100 = singles_add(singles_mul(_s99, _s19), singles_mul(t, _s87));
+    const S _s101 = singles_neg(singles_mul(_s85, _s33));
+    const S _s102 = singles_add(singles_mul(_s101, _s19), singles_mul(t, _s93));
+    const S _s103 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s88)), singles_mul(place_s, singles_abs(_s94))), singles_mul(place_e, singles_abs(_s98))), singles_mul(pace_n, singles_abs(_s100))), singles_mul(pace_s, singles_abs(_s102)));
+    const S _s104 = singles_neg(singles_mul(_s85, _s35));
+    const S _s105 = singles_add(singles_mul(_s104, _s19), singles_mul(t, _s13));
+    const S _s106 = singles_mul(KS(1.0009765625), singles_add(singles_add(_s83, _s84), singles_add(_s103, singles_mul(pace_e, singles_abs(_s105)))));
+    const S _s107 = singles_add(singles_mul(singles_abs(_s15), _s82), singles_add(singles_add(singles_mul(_c5, _s7), singles_mul(singles_abs(tangent_x), _s3)), singles_mul(singles_abs(tangent_y), _s5)));
+    const S _s108 = singles_add(singles_mul(left_nx, tangent_x), singles_mul(left_ny, tangent_y));
+    const S _s109 = singles_add(singles_mul(_s86, _s15), _s108);
+    const S _s110 = singles_sub(singles_mul(_s91, _s21), singles_mul(_s14, _s90));
+    const S _s111 = singles_add(singles_mul(tangent_x, _s23), singles_mul(tangent_y, _s24));
+    const S _s112 = singles_add(singles_mul(_s89, _s15), singles_add(singles_mul(t, _s110), _s111));
+    const S _s113 = singles_sub(singles_mul(_s96, _s21), singles_mul(_s28, _s90));
+    const S _s114 = singles_add(singles_mul(_s95, _s15), singles_add(singles_mul(t, _s113), _s16));
+    const S _s115 = singles_add(singles_mul(_s99, _s15), singles_mul(t, _s108));
+    const S _s116 = singles_add(singles_mul(_s101, _s15), singles_mul(t, _s111));
+    const S _s117 = singles_add(singles_add(singles_add(singles_add(singles_mul(place_n, singles_abs(_s109)), singles_mul(place_s, singles_abs(_s112))), singles_mul(place_e, singles_abs(_s114))), singles_mul(pace_n, singles_abs(_s115))), singles_mul(pace_s, singles_abs(_s116)));
+    const S _s118 = singles_add(singles_mul(_s104, _s15), singles_mul(t, _s16));
+    const S _s119 = singles_mul(KS(1.0009765625), singles_add(singles_add(_s107, _s84), singles_add(_s117, singles_mul(pace_e, singles_abs(_s118)))));
+    const S _s120 = singles_add(KS(1.0), singles_div(_s43, _c2));
+    const S _s121 = singles_mul(p_ring_restitution, singles_sub(singles_div(KS(1.0), _s120), singles_div(singles_mul(_s43, _c6), singles_mul(_s120, _s120))));
+    const S _s122 = singles_add(singles_mul(_c1, _s82), _s45);
+    const S _s123 = singles_neg(singles_mul(bend_s, _s19));
+    const S _s124 = singles_mul(bend_e, _s18);
+    const S _s125 = singles_mul(_s124, _s15);
+    const S _s126 = singles_add(_s122, singles_add(singles_mul(singles_abs(_s123), _s83), singles_mul(singles_abs(_s125), _s107)));
+    const S _s127 = singles_select(_s78, _s73, KS(0.0));
+    const S _s128 = singles_add(singles_mul(_c7, _s74), singles_mul(singles_mul(KS(4.0), _s38), _s127));
+    const S _s129 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(KS(20.0), _s74), _s128)));
+    const S _s130 = singles_div(p_ring_restitution, _c2);
+    const S _s131 = singles_mul(_s65, _s65);
+    const S _s132 = singles_mul(KS(1.125), singles_add(singles_mul(_c4, _s66), singles_mul(_s65, _s127)));
+    const S _s133 = singles_mul(singles_add(bend_s, bend_e), _s84);
+    const S _s134 = singles_add(_s75, _s38);
+    const S _s135 = singles_add(singles_mul(_s50, _s57), singles_mul(KS(2.0), singles_mul(_s51, _s51)));
+    const S _s136 = singles_mul(KS(1.125), _s135);
+    const S _s137 = singles_add(singles_mul(_c1, _s56), singles_mul(KS(1.125), singles_add(singles_mul(_s51, _s47), singles_mul(_s135, _s38))));
+    const S _s138 = singles_add(singles_add(singles_add(singles_add(singles_mul(_s130, _s131), singles_mul(_s63, singles_add(_s65, _s132))), singles_mul(_s133, _s134)), singles_mul(_s136, _s134)), _s137);
+    const S _s139 = singles_mul(KS(4.0), _s51);
+    const S _s140 = singles_add(singles_mul(_s139, _s38), singles_mul(KS(2.0), singles_add(_s40, _s47)));
+    const S _s141 = singles_add(singles_mul(_s139, _s62), singles_mul(KS(2.0), singles_add(spin_bound, singles_mul(_s39, _s62))));
+    const S _s142 = singles_mul(KS(2.0), singles_add(singles_mul(_c4, singles_add(singles_mul(_c0, _s141), _s140)), singles_mul(_s140, _s127)));
+    const S _s143 = singles_mul(KS(1.125), singles_add(singles_mul(spin_bound, _s51), singles_mul(_s135, _s62)));
+    const S _s144 = singles_select(_s78, singles_add(singles_mul(singles_div(_s66, slip_speed), singles_add(singles_mul(singles_mul(KS(1.02), _s65), _s127), singles_mul(singles_mul(KS(1.05), slip_share), _s66))), singles_mul(singles_mul(p_ring_friction, _s130), _s131)), KS(0.0));
+    const S _s145 = singles_add(singles_add(singles_mul(_c4, singles_add(singles_mul(_c0, _s143), _s137)), singles_mul(_s137, _s127)), _s144);
+    const S _s146 = singles_add(singles_add(_s138, singles_mul(KS(7.62939453125e-06), singles_add(_s140, _s142))), _s145);
+    const S _s147 = singles_mul(KS(1.125), singles_add(singles_mul(_s71, _s127), singles_mul(_c4, _s69)));
+    const S _s148 = singles_neg(singles_mul(_s0, _s121));
+    const S _s149 = singles_neg(singles_mul(_s121, _s123));
+    const S _s150 = singles_neg(singles_mul(_s121, _s125));
+    const S _s151 = singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s89, _s148), singles_neg(singles_mul(_s121, _s22))), singles_mul(_s149, _s94)), singles_mul(_s150, _s112)));
+    const S _s152 = singles_add(singles_mul(place_n, singles_abs(singles_sub(singles_sub(singles_mul(_s86, _s148), singles_mul(_s149, _s88)), singles_mul(_s150, _s109)))), singles_mul(place_s, _s151));
+    const S _s153 = singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s95, _s148), singles_neg(singles_mul(_s121, _s29))), singles_mul(_s149, _s98)), singles_mul(_s150, _s114)));
+    const S _s154 = singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s99, _s148), singles_neg(singles_mul(_s121, _s9))), singles_mul(_s149, _s100)), singles_mul(_s150, _s115)));
+    const S _s155 = singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s101, _s148), singles_neg(singles_mul(_s121, _s26))), singles_mul(_s149, _s102)), singles_mul(_s150, _s116)));
+    const S _s156 = singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s104, _s148), singles_neg(singles_mul(_s121, _s30))), singles_mul(_s149, _s105)), singles_mul(_s150, _s118)));
+    const S _s157 = singles_add(singles_add(singles_add(singles_mul(_s72, _s68), singles_mul(singles_abs(singles_neg(_s121)), _s126)), singles_add(singles_add(_s129, _s146), _s147)), singles_add(singles_add(singles_add(singles_add(_s152, singles_mul(place_e, _s153)), singles_mul(pace_n, _s154)), singles_mul(pace_s, _s155)), singles_mul(pace_e, _s156)));
+    const S _s158 = singles_mul(KS(1.0009765625), _s157);
+    const S _s159 = singles_add(singles_add(singles_add(singles_mul(singles_mul(normal_rounding, _s72), _s43), _s129), _s146), _s147);
+    const S _s160 = singles_add(singles_add(singles_mul(slip_x, _s11), singles_mul(slip_y, _s12)), singles_mul(slip_z, _s18));
+    const S _s161 = singles_select(_s78, slip_share, KS(0.0));
+    const S _s162 = singles_neg(singles_mul(_s160, _s161));
+    const S _s163 = singles_add(slip_share, singles_mul(_s162, _s160));
+    const S _s164 = singles_mul(bend_s, normal_velocity);
+    const S _s165 = singles_mul(nz, bend_e);
+    const S _s166 = singles_neg(singles_mul(_s165, _s15));
+    const S _s167 = singles_add(_s122, singles_add(singles_mul(singles_abs(_s164), _s83), singles_mul(singles_abs(_s166), _s107)));
+    const S _s168 = singles_add(singles_mul(tangent_x, slip_x), singles_mul(tangent_y, slip_y));
+    const S _s169 = singles_neg(singles_mul(singles_mul(_c0, _s168), _s161));
+    const S _s170 = singles_mul(_s169, _s160);
+    const S _s171 = singles_add(singles_add(singles_mul(nx, wx), singles_mul(ny, wy)), singles_mul(nz, wz));
+    const S _s172 = singles_mul(bend_s, _s171);
+    const S _s173 = singles_abs(_s172);
+    const S _s174 = singles_add(singles_mul(wx, tangent_x), singles_mul(wy, tangent_y));
+    const S _s175 = singles_neg(singles_mul(_s165, _s174));
+    const S _s176 = singles_add(singles_mul(_s173, _s83), singles_mul(singles_abs(_s175), _s107));
+    const S _s177 = singles_neg(singles_mul(_s168, _s161));
+    const S _s178 = singles_mul(_s177, _s160);
+    const S _s179 = singles_mul(_c5, _s83);
+    const S _s180 = singles_mul(bend_e, singles_sub(singles_mul(nz, _s19), singles_mul(normal_velocity, _s18)));
+    const S _s181 = singles_add(_s122, singles_add(_s179, singles_mul(singles_abs(_s180), _s107)));
+    const S _s182 = singles_select(_s78, singles_mul(p_ring_friction, singles_add(KS(1.0), _s121)), KS(0.0));
+    const S _s183 = singles_neg(_s182);
+    const S _s184 = singles_mul(_s160, _s183);
+    const S _s185 = singles_add(singles_add(singles_add(singles_mul(singles_abs(singles_sub(KS(1.0), _s163)), _s167), singles_mul(singles_abs(singles_neg(_s170)), _s176)), singles_mul(singles_abs(singles_neg(_s178)), _s181)), singles_mul(singles_abs(singles_neg(_s184)), _s126));
+    const S _s186 = singles_neg(singles_mul(singles_mul(_c8, _s160), _s161));
+    const S _s187 = singles_add(singles_mul(_s186, _s160), singles_mul(slip_share, _c8));
+    const S _s188 = singles_add(singles_add(singles_mul(wx, _s11), singles_mul(wy, _s12)), singles_mul(wz, _s18));
+    const S _s189 = singles_mul(_s18, _s171);
+    const S _s190 = singles_mul(bend_e, singles_sub(singles_mul(nz, _s188), _s189));
+    const S _s191 = singles_add(_s179, singles_mul(singles_abs(_s190), _s107));
+    const S _s192 = singles_neg(singles_add(singles_mul(_s0, _s182), singles_mul(singles_mul(_s20, _s160), _s161)));
+    const S _s193 = singles_add(singles_mul(_s192, _s160), singles_mul(slip_share, _s20));
+    const S _s194 = singles_sub(_s20, _s193);
+    const S _s195 = singles_sub(_s166, singles_mul(_c0, _s190));
+    const S _s196 = singles_add(singles_mul(_c0, _s175), _s180);
+    const S _s197 = singles_neg(singles_add(singles_mul(_s125, _s182), singles_mul(singles_add(singles_mul(_s195, _s160), singles_mul(_s196, _s168)), _s161)));
+    const S _s198 = singles_add(singles_mul(_s197, _s160), singles_mul(slip_share, _s195));
+    const S _s199 = singles_sub(_s166, _s198);
+    const S _s200 = singles_mul(_c0, _s172);
+    const S _s201 = singles_neg(singles_add(singles_mul(_s123, _s182), singles_mul(singles_add(singles_mul(_s200, _s168), singles_mul(_s164, _s160)), _s161)));
+    const S _s202 = singles_add(singles_mul(_s201, _s160), singles_mul(slip_share, _s164));
+    const S _s203 = singles_sub(_s164, _s202);
+    const S _s204 = singles_add(singles_mul(_c0, singles_sub(singles_mul(_s17, _s171), singles_mul(_s91, _s174))), _s110);
+    const S _s205 = singles_sub(_s92, singles_mul(_c0, singles_sub(singles_mul(_s91, _s188), singles_mul(_s14, _s171))));
+    const S _s206 = singles_neg(singles_add(singles_mul(_s22, _s182), singles_mul(singles_add(singles_mul(_s204, _s168), singles_mul(_s205, _s160)), _s161)));
+    const S _s207 = singles_add(singles_mul(_s206, _s160), singles_mul(slip_share, _s205));
+    const S _s208 = singles_mul(place_s, singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s89, _s194), singles_sub(_s92, _s207)), singles_mul(_s112, _s199)), singles_mul(_s94, _s203))));
+    const S _s209 = singles_add(singles_mul(place_n, singles_abs(singles_sub(singles_sub(singles_mul(_s86, _s194), singles_mul(_s109, _s199)), singles_mul(_s88, _s203)))), _s208);
+    const S _s210 = singles_add(singles_mul(_c0, singles_neg(singles_mul(_s96, _s174))), _s113);
+    const S _s211 = singles_sub(_s97, singles_mul(_c0, singles_sub(singles_mul(_s96, _s188), singles_mul(_s28, _s171))));
+    const S _s212 = singles_neg(singles_add(singles_mul(_s29, _s182), singles_mul(singles_add(singles_mul(_s210, _s168), singles_mul(_s211, _s160)), _s161)));
+    const S _s213 = singles_add(singles_mul(_s212, _s160), singles_mul(slip_share, _s211));
+    const S _s214 = singles_mul(place_e, singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s95, _s194), singles_sub(_s97, _s213)), singles_mul(_s114, _s199)), singles_mul(_s98, _s203))));
+    const S _s215 = singles_neg(singles_add(singles_mul(singles_add(singles_mul(_s108, _s168), singles_mul(_s87, _s160)), _s161), singles_mul(_s9, _s182)));
+    const S _s216 = singles_add(singles_mul(_s215, _s160), singles_mul(slip_share, _s87));
+    const S _s217 = singles_mul(pace_n, singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s99, _s194), singles_sub(_s87, _s216)), singles_mul(_s115, _s199)), singles_mul(_s100, _s203))));
+    const S _s218 = singles_sub(_s93, singles_mul(_c0, singles_mul(_c9, _s16)));
+    const S _s219 = singles_add(singles_mul(_c0, singles_mul(_c9, _s13)), _s111);
+    const S _s220 = singles_neg(singles_add(singles_mul(singles_add(singles_mul(_s218, _s160), singles_mul(_s219, _s168)), _s161), singles_mul(_s26, _s182)));
+    const S _s221 = singles_add(singles_mul(_s220, _s160), singles_mul(slip_share, _s218));
+    const S _s222 = singles_mul(pace_s, singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s101, _s194), singles_sub(_s93, _s221)), singles_mul(_s116, _s199)), singles_mul(_s102, _s203))));
+    const S _s223 = singles_sub(_s13, singles_mul(_c0, singles_neg(singles_mul(_c9, _s111))));
+    const S _s224 = singles_add(singles_mul(_c0, singles_neg(singles_mul(_c9, _s93))), _s16);
+    const S _s225 = singles_neg(singles_add(singles_mul(_s30, _s182), singles_mul(singles_add(singles_mul(_s223, _s160), singles_mul(_s224, _s168)), _s161)));
+    const S _s226 = singles_add(singles_mul(_s225, _s160), singles_mul(slip_share, _s223));
+    const S _s227 = singles_mul(pace_e, singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s104, _s194), singles_sub(_s13, _s226)), singles_mul(_s118, _s199)), singles_mul(_s105, _s203))));
+    const S _s228 = singles_neg(singles_mul(_c0, _s108));
+    const S _s229 = singles_mul(_c0, _s87);
+    const S _s230 = singles_neg(singles_mul(singles_add(singles_mul(_s228, _s160), singles_mul(_s229, _s168)), _s161));
+    const S _s231 = singles_add(singles_mul(_s230, _s160), singles_mul(slip_share, _s228));
+    const S _s232 = singles_neg(singles_mul(_c0, _s16));
+    const S _s233 = singles_mul(_c0, _s13);
+    const S _s234 = singles_neg(singles_mul(singles_add(singles_mul(_s232, _s160), singles_mul(_s233, _s168)), _s161));
+    const S _s235 = singles_add(singles_mul(_s234, _s160), singles_mul(slip_share, _s232));
+    const S _s236 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_add(_s209, _s214), _s217), _s222), _s227), singles_mul(turn_n, singles_abs(singles_neg(_s231)))), singles_mul(turn_z, singles_abs(singles_neg(_s235))));
+    const S _s237 = singles_neg(singles_mul(_c0, _s111));
+    const S _s238 = singles_mul(_c0, _s93);
+    const S _s239 = singles_neg(singles_mul(singles_add(singles_mul(_s237, _s160), singles_mul(_s238, _s168)), _s161));
+    const S _s240 = singles_add(singles_mul(_s239, _s160), singles_mul(slip_share, _s237));
+    const S _s241 = singles_add(singles_add(_s159, singles_add(_s185, singles_mul(singles_abs(singles_neg(_s187)), _s191))), singles_add(_s236, singles_mul(turn_z, singles_abs(singles_neg(_s240)))));
+    const S _s242 = singles_mul(KS(1.0009765625), _s241);
+    const S _s243 = singles_add(slip_share, singles_mul(_s177, _s168));
+    const S _s244 = singles_mul(_s186, _s168);
+    const S _s245 = singles_mul(_s162, _s168);
+    const S _s246 = singles_mul(_s168, _s183);
+    const S _s247 = singles_add(singles_add(singles_add(singles_mul(singles_abs(singles_sub(KS(1.0), _s243)), _s181), singles_mul(singles_abs(singles_neg(_s244)), _s191)), singles_mul(singles_abs(singles_neg(_s245)), _s167)), singles_mul(singles_abs(singles_neg(_s246)), _s126));
+    const S _s248 = singles_add(singles_mul(_s169, _s168), singles_mul(_c0, slip_share));
+    const S _s249 = singles_mul(_s168, _s192);
+    const S _s250 = singles_neg(_s249);
+    const S _s251 = singles_add(singles_mul(_s168, _s197), singles_mul(slip_share, _s196));
+    const S _s252 = singles_sub(_s180, _s251);
+    const S _s253 = singles_add(singles_mul(_s168, _s201), singles_mul(slip_share, _s200));
+    const S _s254 = singles_neg(_s253);
+    const S _s255 = singles_add(singles_mul(_s168, _s206), singles_mul(slip_share, _s204));
+    const S _s256 = singles_mul(place_s, singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s89, _s250), singles_sub(_s110, _s255)), singles_mul(_s112, _s252)), singles_mul(_s94, _s254))));
+    const S _s257 = singles_add(singles_mul(place_n, singles_abs(singles_sub(singles_sub(singles_mul(_s86, _s250), singles_mul(_s109, _s252)), singles_mul(_s88, _s254)))), _s256);
+    const S _s258 = singles_add(singles_mul(_s168, _s212), singles_mul(slip_share, _s210));
+    const S _s259 = singles_mul(place_e, singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s95, _s250), singles_sub(_s113, _s258)), singles_mul(_s114, _s252)), singles_mul(_s98, _s254))));
+    const S _s260 = singles_add(singles_mul(_s168, _s215), singles_mul(slip_share, _s108));
+    const S _s261 = singles_mul(pace_n, singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s99, _s250), singles_sub(_s108, _s260)), singles_mul(_s115, _s252)), singles_mul(_s100, _s254))));
+    const S _s262 = singles_add(singles_mul(_s168, _s220), singles_mul(slip_share, _s219));
+    const S _s263 = singles_mul(pace_s, singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s101, _s250), singles_sub(_s111, _s262)), singles_mul(_s116, _s252)), singles_mul(_s102, _s254))));
+    const S _s264 = singles_add(singles_mul(_s168, _s225), singles_mul(slip_share, _s224));
+    const S _s265 = singles_mul(pace_e, singles_abs(singles_sub(singles_sub(singles_add(singles_mul(_s104, _s250), singles_sub(_s16, _s264)), singles_mul(_s118, _s252)), singles_mul(_s105, _s254))));
+    const S _s266 = singles_add(singles_mul(_s230, _s168), singles_mul(slip_share, _s229));
+    const S _s267 = singles_add(singles_mul(_s234, _s168), singles_mul(slip_share, _s233));
+    const S _s268 = singles_add(singles_add(singles_add(singles_add(singles_add(singles_add(_s257, _s259), _s261), _s263), _s265), singles_mul(turn_n, singles_abs(singles_neg(_s266)))), singles_mul(turn_z, singles_abs(singles_neg(_s267))));
+    const S _s269 = singles_add(singles_mul(_s239, _s168), singles_mul(slip_share, _s238));
+    const S _s270 = singles_add(singles_add(_s159, singles_add(_s247, singles_mul(singles_abs(singles_neg(_s248)), _s176))), singles_add(_s268, singles_mul(turn_z, singles_abs(singles_neg(_s269)))));
+    const S _s271 = singles_mul(KS(1.0009765625), _s270);
+    const S _s272 = singles_neg(singles_mul(bend_s, _s188));
+    const S _s273 = singles_mul(_s124, _s174);
+    const S _s274 = singles_add(singles_mul(_s75, _c10), _s62);
+    const S _s275 = singles_add(singles_add(singles_add(singles_mul(_s63, singles_add(singles_mul(_s132, _c10), _s64)), singles_mul(_s133, _s274)), singles_mul(_s136, _s274)), singles_mul(_s145, _c10));
+    const S _s276 = singles_add(singles_add(singles_mul(singles_add(singles_mul(singles_mul(_c4, _s67), _s74), _s147), _c10), singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s128, _c10), singles_mul(KS(4.0), _s62))))), singles_add(singles_add(_s275, singles_mul(KS(7.62939453125e-06), singles_add(singles_mul(_c10, _s142), _s141))), _s143));
+    const S _s277 = singles_mul(place_s, singles_abs(singles_sub(singles_sub(singles_sub(singles_mul(_s14, _s174), singles_mul(_s17, _s188)), singles_mul(_s272, _s94)), singles_mul(_s273, _s112))));
+    const S _s278 = singles_add(singles_mul(place_n, singles_abs(singles_neg(singles_add(singles_mul(_s272, _s88), singles_mul(_s273, _s109))))), _s277);
+    const S _s279 = singles_add(_s278, singles_mul(place_e, singles_abs(singles_sub(singles_sub(singles_mul(_s28, _s174), singles_mul(_s272, _s98)), singles_mul(_s273, _s114)))));
+    const S _s280 = singles_add(_s279, singles_mul(pace_n, singles_abs(singles_neg(singles_add(singles_mul(_s272, _s100), singles_mul(_s273, _s115))))));
+    const S _s281 = singles_add(_s280, singles_mul(pace_s, singles_abs(singles_sub(singles_sub(singles_mul(_c9, _s30), singles_mul(_s272, _s102)), singles_mul(_s273, _s116)))));
+    const S _s282 = singles_mul(pace_e, singles_abs(singles_sub(singles_sub(singles_neg(singles_mul(_c9, _s26)), singles_mul(_s272, _s105)), singles_mul(_s273, _s118))));
+    const S _s283 = singles_add(singles_add(singles_add(singles_mul(singles_abs(_s272), _s83), singles_mul(singles_abs(_s273), _s107)), _s276), singles_add(singles_add(singles_add(singles_add(_s281, _s282), singles_mul(turn_n, singles_abs(_s9))), singles_mul(turn_z, singles_abs(_s30))), singles_mul(turn_z, singles_abs(_s26))));
+    const S _s284 = singles_mul(KS(1.0009765625), _s283);
+    const S _s285 = singles_add(singles_mul(singles_abs(singles_mul(_c9, singles_neg(singles_mul(_s244, _c11)))), _s191), singles_mul(singles_abs(singles_mul(_c9, singles_neg(singles_mul(_s245, _c11)))), _s167));
+    const S _s286 = singles_add(_s285, singles_mul(singles_abs(singles_mul(_c9, singles_neg(singles_mul(_s246, _c11)))), _s126));
+    const S _s287 = singles_add(_s286, singles_mul(singles_abs(singles_mul(_c9, singles_sub(KS(1.0), singles_mul(_c11, _s243)))), _s181));
+    const S _s288 = singles_add(_s287, singles_mul(singles_abs(singles_mul(_c9, singles_sub(_c0, singles_mul(_c11, _s248)))), _s176));
+    const S _s289 = singles_mul(singles_abs(singles_neg(singles_mul(_c9, singles_neg(singles_mul(_s170, _c11))))), _s176);
+    const S _s290 = singles_mul(singles_abs(singles_neg(singles_mul(_c9, singles_neg(singles_mul(_s178, _c11))))), _s181);
+    const S _s291 = singles_mul(singles_abs(singles_neg(singles_mul(_c9, singles_neg(singles_mul(_s184, _c11))))), _s126);
+    const S _s292 = singles_mul(singles_abs(singles_neg(singles_mul(_c9, singles_sub(KS(1.0), singles_mul(_c11, _s163))))), _s167);
+    const S _s293 = singles_mul(singles_abs(singles_neg(singles_mul(_c9, singles_sub(_c8, singles_mul(_c11, _s187))))), _s191);
+    const S _s294 = singles_add(singles_add(singles_add(singles_add(_s289, _s290), _s291), _s292), _s293);
+    const S _s295 = singles_mul(_c9, singles_neg(singles_mul(_s249, _c11)));
+    const S _s296 = singles_mul(_c9, singles_sub(_s200, singles_mul(_c11, _s253)));
+    const S _s297 = singles_mul(_c9, singles_sub(_s196, singles_mul(_c11, _s251)));
+    const S _s298 = singles_sub(singles_sub(singles_add(singles_mul(_s295, _s89), singles_mul(_c9, singles_sub(_s204, singles_mul(_c11, _s255)))), singles_mul(_s296, _s94)), singles_mul(_s297, _s112));
+    const S _s299 = singles_add(singles_mul(place_n, singles_abs(singles_sub(singles_sub(singles_mul(_s295, _s86), singles_mul(_s296, _s88)), singles_mul(_s297, _s109)))), singles_mul(place_s, singles_abs(_s298)));
+    const S _s300 = singles_sub(singles_sub(singles_add(singles_mul(_s295, _s95), singles_mul(_c9, singles_sub(_s210, singles_mul(_c11, _s258)))), singles_mul(_s296, _s98)), singles_mul(_s297, _s114));
+    const S _s301 = singles_sub(singles_sub(singles_add(singles_mul(_s295, _s99), singles_mul(_c9, singles_sub(_s108, singles_mul(_c11, _s260)))), singles_mul(_s296, _s100)), singles_mul(_s297, _s115));
+    const S _s302 = singles_sub(singles_sub(singles_add(singles_mul(_s295, _s101), singles_mul(_c9, singles_sub(_s219, singles_mul(_c11, _s262)))), singles_mul(_s296, _s102)), singles_mul(_s297, _s116));
+    const S _s303 = singles_sub(singles_sub(singles_add(singles_mul(_s295, _s104), singles_mul(_c9, singles_sub(_s224, singles_mul(_c11, _s264)))), singles_mul(_s296, _s105)), singles_mul(_s297, _s118));
+    const S _s304 = singles_add(singles_add(singles_add(singles_add(_s299, singles_mul(place_e, singles_abs(_s300))), singles_mul(pace_n, singles_abs(_s301))), singles_mul(pace_s, singles_abs(_s302))), singles_mul(pace_e, singles_abs(_s303)));
+    const S _s305 = singles_add(_s304, singles_mul(turn_n, singles_abs(singles_mul(_c9, singles_sub(_s229, singles_mul(_c11, _s266))))));
+    const S _s306 = singles_add(_s305, singles_mul(turn_z, singles_abs(singles_mul(_c9, singles_sub(_s233, singles_mul(_c11, _s267))))));
+    const S _s307 = singles_add(_s306, singles_mul(turn_z, singles_abs(singles_mul(_c9, singles_sub(_s238, singles_mul(_c11, _s269))))));
+    const S _s308 = singles_neg(singles_mul(_c9, singles_sub(_s20, singles_mul(_c11, _s193))));
+    const S _s309 = singles_neg(singles_mul(_c9, singles_sub(_s164, singles_mul(_c11, _s202))));
+    const S _s310 = singles_neg(singles_mul(_c9, singles_sub(_s195, singles_mul(_c11, _s198))));
+    const S _s311 = singles_sub(singles_add(singles_mul(_s308, _s89), singles_neg(singles_mul(_c9, singles_sub(_s205, singles_mul(_c11, _s207))))), singles_mul(_s309, _s94));
+    const S _s312 = singles_add(singles_mul(place_n, singles_abs(singles_sub(singles_sub(singles_mul(_s308, _s86), singles_mul(_s309, _s88)), singles_mul(_s310, _s109)))), singles_mul(place_s, singles_abs(singles_sub(_s311, singles_mul(_s310, _s112)))));
+    const S _s313 = singles_sub(singles_add(singles_mul(_s308, _s95), singles_neg(singles_mul(_c9, singles_sub(_s211, singles_mul(_c11, _s213))))), singles_mul(_s309, _s98));
+    const S _s314 = singles_sub(singles_add(singles_mul(_s308, _s99), singles_neg(singles_mul(_c9, singles_sub(_s87, singles_mul(_c11, _s216))))), singles_mul(_s309, _s100));
+    const S _s315 = singles_add(singles_add(_s312, singles_mul(place_e, singles_abs(singles_sub(_s313, singles_mul(_s310, _s114))))), singles_mul(pace_n, singles_abs(singles_sub(_s314, singles_mul(_s310, _s115)))));
+    const S _s316 = singles_sub(singles_add(singles_mul(_s308, _s101), singles_neg(singles_mul(_c9, singles_sub(_s218, singles_mul(_c11, _s221))))), singles_mul(_s309, _s102));
+    const S _s317 = singles_sub(singles_add(singles_mul(_s308, _s104), singles_neg(singles_mul(_c9, singles_sub(_s223, singles_mul(_c11, _s226))))), singles_mul(_s309, _s105));
+    const S _s318 = singles_add(singles_add(_s315, singles_mul(pace_s, singles_abs(singles_sub(_s316, singles_mul(_s310, _s116))))), singles_mul(pace_e, singles_abs(singles_sub(_s317, singles_mul(_s310, _s118)))));
+    const S _s319 = singles_mul(turn_n, singles_abs(singles_neg(singles_mul(_c9, singles_sub(_s228, singles_mul(_c11, _s231))))));
+    const S _s320 = singles_mul(turn_z, singles_abs(singles_neg(singles_mul(_c9, singles_sub(_s232, singles_mul(_c11, _s235))))));
+    const S _s321 = singles_mul(turn_z, singles_abs(singles_neg(singles_mul(_c9, singles_sub(_s237, singles_mul(_c11, _s240))))));
+    const S _s322 = singles_add(singles_add(singles_add(_s318, _s319), _s320), _s321);
+    const S _s323 = singles_mul(KS(1.0009765625), singles_add(singles_add(singles_add(singles_mul(_c9, _s159), _s276), singles_max(_s288, _s294)), singles_max(_s307, _s322)));
+    const S _s324 = singles_max(_s80, _s106);
+    const S _s325 = singles_select(_s81, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_add(singles_add(_s80, _s119), _s106)), singles_mul(KS(0.578125), singles_max(_s324, _s119)))), KS(INFINITY));
+    const S _s326 = singles_mul(_c5, _s106);
+    const S _s327 = singles_mul(slip_share, singles_sub(_s19, singles_mul(_c0, _s174)));
+    const S _s328 = singles_sub(_s19, _s327);
+    const S _s329 = singles_mul(_s43, singles_div(p_ring_restitution, _s120));
+    const S _s330 = singles_add(_s326, singles_mul(singles_abs(singles_mul(bend_e, singles_sub(singles_mul(nz, _s328), singles_mul(_s329, _s18)))), _s119));
+    const S _s331 = singles_mul(KS(7.62939453125e-06), singles_add(singles_mul(bend_s, _s106), singles_mul(bend_e, _s119)));
+    const S _s332 = singles_mul(_s134, _s331);
+    const S _s333 = singles_add(singles_add(_s330, _s332), _s271);
+    const S _s334 = singles_mul(slip_share, singles_add(singles_mul(_c0, _s188), _s15));
+    const S _s335 = singles_sub(_s15, _s334);
+    const S _s336 = singles_add(singles_add(singles_mul(singles_abs(singles_mul(bend_s, _s329)), _s106), singles_mul(singles_abs(singles_neg(singles_mul(_s165, _s335))), _s119)), _s332);
+    const S _s337 = singles_add(_s336, _s242);
+    const S _s338 = singles_add(singles_add(singles_mul(singles_abs(singles_neg(singles_mul(bend_s, _s328))), _s106), singles_mul(singles_abs(singles_mul(_s124, _s335)), _s119)), _s332);
+    const S _s339 = singles_add(_s338, _s158);
+    const S _s340 = singles_max(_s339, _s337);
+    const S _s341 = singles_select(_s81, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_add(singles_add(_s333, _s337), _s339)), singles_mul(KS(0.578125), singles_max(_s340, _s333)))), KS(INFINITY));
+    const S _s342 = singles_sub(_s188, singles_mul(_s334, _c10));
+    const S _s343 = singles_add(singles_mul(_s327, _c10), _s174);
+    const S _s344 = singles_mul(_s274, _s331);
+    const S _s345 = singles_add(singles_add(singles_mul(singles_abs(singles_neg(singles_mul(bend_s, _s342))), _s106), singles_mul(singles_abs(singles_mul(_s124, _s343)), _s119)), _s344);
+    const S _s346 = singles_add(_s345, _s284);
+    const S _s347 = singles_add(singles_add(singles_add(singles_div(_s271, _c0), singles_mul(_s173, _s106)), singles_mul(singles_abs(singles_neg(singles_mul(_s165, _s343))), _s119)), _s344);
+    const S _s348 = singles_add(_s347, _s323);
+    const S _s349 = singles_add(singles_add(singles_div(_s242, _c0), _s326), singles_mul(singles_abs(singles_mul(bend_e, singles_sub(singles_mul(nz, _s342), _s189))), _s119));
+    const S _s350 = singles_add(singles_add(_s349, _s344), _s323);
+    const S _s351 = singles_max(_s346, _s348);
+    const S _s352 = singles_select(_s81, singles_mul(KS(1.0009765625), singles_add(singles_mul(KS(0.421875), singles_add(singles_add(_s346, _s348), _s350)), singles_mul(KS(0.578125), singles_max(_s351, _s350)))), KS(INFINITY));
+    return (LANES(court_bound_ring_impact_out)){ singles_select(_s81, _s80, KS(INFINITY)), singles_select(_s81, _s106, KS(INFINITY)), singles_select(_s81, _s119, KS(INFINITY)), singles_select(_s81, _s158, KS(INFINITY)), singles_select(_s81, _s242, KS(INFINITY)), singles_select(_s81, _s271, KS(INFINITY)), singles_select(_s81, _s284, KS(INFINITY)), singles_select(_s81, _s323, KS(INFINITY)), _s325, _s341, _s352, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, singles_add(singles_mul(KS(4.440892098500626e-16), singles_add(t, clock)), singles_select(_s81, singles_mul(KS(1.0009765625), _s44), KS(INFINITY))) };
+}
+
 /* Velocity and spin after a contact, frame-free.
    momentum, angular momentum and Coulomb's law of friction. 79 operations: 8 additions, 19 subtractions, 40 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections. */
 typedef struct {
@@ -2699,6 +3212,45 @@ LANES_INLINE LANES(court_ring_curvature_out)
 LANES(court_ring_curvature)(V _c0)
 {
     return (LANES(court_ring_curvature_out)){ _c0 };
+}
+
+/* Tangent and curvatures at a contact, and bounds on the roundings there.
+   Table 2, running error analysis. 105 operations: 34 additions, 38 multiplications, 4 divisions, 1 square root, 1 negation, 11 absolute values, 7 comparisons, 9 selections. */
+typedef struct {
+    S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
+} LANES(court_ring_tangents_out);
+
+LANES_INLINE LANES(court_ring_tangents_out)
+LANES(court_ring_tangents)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz, S place_n, S normal_velocity, S back, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9)
+{
+    const S _s0 = singles_sqrt(singles_add(singles_mul(x, x), singles_mul(y, y)));
+    const S _s1 = singles_div(KS(1.0), _s0);
+    const S _s2 = singles_mul(_c0, t);
+    const S _s3 = singles_add(vz, _s2);
+    const S _s4 = singles_abs(vx);
+    const S _s5 = singles_abs(vy);
+    const S _s6 = singles_abs(vz);
+    const S _s7 = singles_div(singles_mul(t, singles_add(singles_mul(KS(2.0), singles_add(_c5, singles_max(KS(0.0), _s3))), singles_add(singles_add(singles_add(_s2, _s4), _s5), _s6))), _c3);
+    const S _s8 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_mul(t, singles_abs(normal_velocity))));
+    const S _s9 = singles_mul(t, t);
+    const S _s10 = singles_add(singles_mul(_c0, _s9), singles_mul(t, singles_add(singles_add(_s4, _s5), _s6)));
+    const S _s11 = singles_mul(KS(2.0), t);
+    const S _s12 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s11, _s4), singles_abs(x))));
+    const S _s13 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s11, _s5), singles_abs(y))));
+    const S _s14 = singles_add(singles_add(singles_mul(_c6, _s9), singles_mul(_s11, singles_abs(singles_add(vz, singles_mul(_c6, t))))), singles_abs(z));
+    const S _s15 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s14));
+    const S _s16 = singles_add(singles_div(singles_mul(singles_mul(KS(1.5), _s10), singles_add(singles_add(_s12, _s13), _s15)), _c3), singles_mul(_c7, _s10));
+    const S _s17 = singles_mul(KS(1.125), _s16);
+    const S _s18 = singles_mul(KS(1.7763568394002505e-15), singles_mul(singles_div(singles_mul(normal_velocity, normal_velocity), singles_add(singles_add(singles_mul(vx, vx), singles_mul(vy, vy)), singles_mul(vz, vz))), _c1));
+    const S _s19 = singles_add(singles_add(_s8, _s16), singles_max(_s17, _s18));
+    const S _s20 = singles_add(singles_mul(KS(1.1102230246251565e-16), singles_add(_c8, singles_mul(KS(2.0), _s0))), singles_add(singles_add(singles_mul(singles_abs(nx), _s12), singles_mul(singles_abs(ny), _s13)), singles_mul(singles_abs(nz), _s15)));
+    const S _s21 = singles_mul(KS(1.125), _s20);
+    const S _s22 = singles_add(singles_add(_s8, _s20), singles_max(_s21, _s18));
+    const S _s23 = singles_add(place_n, _s22);
+    const Q _s24 = singles_at_most(singles_mul(KS(4.0), _s7), KS(1.0));
+    const Q _s25 = singles_less(KS(0.0), back);
+    const S _s26 = singles_add(place_n, _s19);
+    return (LANES(court_ring_tangents_out)){ singles_neg(singles_mul(y, _s1)), singles_mul(x, _s1), _c2, _s1, _c4, singles_select(_s25, singles_select(_s24, _s19, singles_max(_s19, _s23)), _s22), singles_select(_s25, singles_select(_s24, _s26, singles_max(_s26, _s22)), _s22), _c9 };
 }
 
 /* Error of the normal, from that of the position.
@@ -3870,6 +4422,68 @@ LANES(court_backboard_curvature)(V t, V x, V y, V z, V vx, V vy, V vz, V dx, V d
     return (LANES(court_backboard_curvature_out)){ lanes_select(lanes_less(lanes_min(_s16, _s22), K(0.0)), K(0.0), _c6) };
 }
 
+/* Tangent and curvatures at a contact, and bounds on the roundings there.
+   Table 2, running error analysis. 167 operations: 39 additions, 11 subtractions, 41 multiplications, 3 divisions, 1 square root, 3 negations, 20 absolute values, 23 comparisons, 2 conjunctions, 24 selections. */
+typedef struct {
+    S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
+} LANES(court_backboard_tangents_out);
+
+LANES_INLINE LANES(court_backboard_tangents_out)
+LANES(court_backboard_tangents)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz, S place_n, S normal_velocity, S back, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9, S _c10, S _c11, S _c12, S _c13, S _c14, S _c15, S _c16, S _c17)
+{
+    const S _s0 = singles_sqrt(singles_add(singles_mul(nx, nx), singles_mul(ny, ny)));
+    const Q _s1 = singles_less(KS(0.0), _s0);
+    const S _s2 = singles_div(KS(1.0), _s0);
+    const S _s3 = singles_sub(z, _c4);
+    const S _s4 = singles_sub(_c3, z);
+    const S _s5 = singles_select(singles_both(singles_less(KS(0.0), singles_abs(singles_sub(singles_max(_s3, KS(0.0)), singles_max(_s4, KS(0.0))))), _s1), _c6, KS(0.0));
+    const S _s6 = singles_add(_c1, x);
+    const S _s7 = singles_neg(singles_add(_c7, x));
+    const S _s8 = singles_sub(y, _c2);
+    const S _s9 = singles_neg(singles_add(_c2, y));
+    const S _s10 = singles_select(singles_both(singles_less(KS(0.0), singles_abs(singles_sub(singles_max(_s6, KS(0.0)), singles_max(_s7, KS(0.0))))), singles_less(KS(0.0), singles_abs(singles_sub(singles_max(_s8, KS(0.0)), singles_max(_s9, KS(0.0)))))), singles_mul(_c6, _s2), KS(0.0));
+    const S _s11 = singles_abs(_s3);
+    const S _s12 = singles_abs(singles_sub(z, _c3));
+    const S _s13 = singles_abs(_s8);
+    const S _s14 = singles_abs(singles_sub(y, _c8));
+    const S _s15 = singles_abs(singles_sub(x, _c9));
+    const S _s16 = singles_abs(singles_sub(x, _c10));
+    const S _s17 = singles_min(_s15, _s16);
+    const S _s18 = singles_min(_s14, _s17);
+    const S _s19 = singles_min(_s13, _s18);
+    const S _s20 = singles_min(_s12, _s19);
+    const S _s21 = singles_sub(singles_min(_s11, _s20), _c11);
+    const S _s22 = singles_max(_c6, _s10);
+    const S _s23 = singles_div(KS(1.0), singles_mul(KS(100.0), _s21));
+    const S _s24 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_mul(t, singles_abs(normal_velocity))));
+    const S _s25 = singles_mul(t, t);
+    const S _s26 = singles_abs(vx);
+    const S _s27 = singles_abs(vy);
+    const S _s28 = singles_add(singles_mul(_c5, _s25), singles_mul(t, singles_add(singles_add(_s26, _s27), singles_abs(vz))));
+    const S _s29 = singles_mul(KS(2.0), t);
+    const S _s30 = singles_abs(x);
+    const S _s31 = singles_add(_c12, singles_mul(KS(3.3306690738754696e-16), _s30));
+    const S _s32 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s29, _s26), _s30))), singles_mul(KS(2.0), _s31));
+    const S _s33 = singles_abs(y);
+    const S _s34 = singles_add(_c13, singles_mul(KS(2.220446049250313e-16), _s33));
+    const S _s35 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s29, _s27), _s33))), singles_mul(KS(2.0), _s34));
+    const S _s36 = singles_abs(z);
+    const S _s37 = singles_add(singles_add(singles_mul(_c14, _s25), singles_mul(_s29, singles_abs(singles_add(vz, singles_mul(_c14, t))))), _s36);
+    const S _s38 = singles_add(_c15, singles_mul(KS(2.220446049250313e-16), _s36));
+    const S _s39 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s37)), singles_mul(KS(2.0), _s38));
+    const S _s40 = singles_add(singles_mul(singles_mul(_c6, _s28), singles_add(singles_add(_s32, _s35), _s39)), singles_mul(KS(1.3322676295501878e-15), _s28));
+    const S _s41 = singles_mul(KS(1.125), _s40);
+    const S _s42 = singles_mul(KS(1.7763568394002505e-15), singles_mul(_c0, singles_div(singles_mul(normal_velocity, normal_velocity), singles_add(singles_add(singles_mul(vx, vx), singles_mul(vy, vy)), singles_mul(vz, vz)))));
+    const S _s43 = singles_add(singles_add(_s24, _s40), singles_max(_s41, _s42));
+    const S _s44 = singles_add(_c16, singles_add(singles_add(singles_mul(singles_abs(nx), _s32), singles_mul(singles_abs(ny), _s35)), singles_mul(singles_abs(nz), _s39)));
+    const S _s45 = singles_mul(KS(1.125), _s44);
+    const S _s46 = singles_add(singles_add(_s24, _s44), singles_max(_s45, _s42));
+    const S _s47 = singles_add(place_n, _s46);
+    const Q _s48 = singles_less(KS(0.0), back);
+    const S _s49 = singles_add(place_n, _s43);
+    return (LANES(court_backboard_tangents_out)){ singles_select(_s1, singles_neg(singles_mul(ny, _s2)), KS(0.0)), singles_select(_s1, singles_mul(nx, _s2), KS(1.0)), _s5, _s10, singles_select(singles_less(KS(0.0), _s21), singles_max(_s22, _s23), KS(INFINITY)), singles_select(_s48, singles_max(_s43, _s47), _s46), singles_select(_s48, singles_max(_s49, _s46), _s46), singles_add(KS(8.881784197001252e-16), singles_mul(_c17, singles_add(singles_add(_s34, _s31), _s38))) };
+}
+
 /* Error of the normal, from that of the position.
    derivative of Table 2's normal. 98 operations: 10 additions, 12 subtractions, 17 multiplications, 7 divisions, 1 square root, 5 negations, 23 comparisons, 23 selections. */
 typedef struct {
@@ -4469,6 +5083,68 @@ LANES(court_bridge_curvature)(V t, V x, V y, V z, V vx, V vy, V vz, V dx, V dy, 
     return (LANES(court_bridge_curvature_out)){ lanes_select(lanes_less(lanes_min(_s16, _s22), K(0.0)), K(0.0), _c6) };
 }
 
+/* Tangent and curvatures at a contact, and bounds on the roundings there.
+   Table 2, running error analysis. 167 operations: 39 additions, 11 subtractions, 41 multiplications, 3 divisions, 1 square root, 3 negations, 20 absolute values, 23 comparisons, 2 conjunctions, 24 selections. */
+typedef struct {
+    S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
+} LANES(court_bridge_tangents_out);
+
+LANES_INLINE LANES(court_bridge_tangents_out)
+LANES(court_bridge_tangents)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz, S place_n, S normal_velocity, S back, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9, S _c10, S _c11, S _c12, S _c13, S _c14, S _c15, S _c16, S _c17)
+{
+    const S _s0 = singles_sqrt(singles_add(singles_mul(nx, nx), singles_mul(ny, ny)));
+    const Q _s1 = singles_less(KS(0.0), _s0);
+    const S _s2 = singles_div(KS(1.0), _s0);
+    const S _s3 = singles_sub(z, _c2);
+    const S _s4 = singles_sub(_c6, z);
+    const S _s5 = singles_select(singles_both(singles_less(KS(0.0), singles_abs(singles_sub(singles_max(_s3, KS(0.0)), singles_max(_s4, KS(0.0))))), _s1), _c7, KS(0.0));
+    const S _s6 = singles_add(_c1, x);
+    const S _s7 = singles_neg(singles_add(_c3, x));
+    const S _s8 = singles_sub(y, _c4);
+    const S _s9 = singles_neg(singles_add(_c4, y));
+    const S _s10 = singles_select(singles_both(singles_less(KS(0.0), singles_abs(singles_sub(singles_max(_s6, KS(0.0)), singles_max(_s7, KS(0.0))))), singles_less(KS(0.0), singles_abs(singles_sub(singles_max(_s8, KS(0.0)), singles_max(_s9, KS(0.0)))))), singles_mul(_c7, _s2), KS(0.0));
+    const S _s11 = singles_abs(_s3);
+    const S _s12 = singles_abs(singles_sub(z, _c6));
+    const S _s13 = singles_abs(_s8);
+    const S _s14 = singles_abs(singles_sub(y, _c8));
+    const S _s15 = singles_abs(singles_sub(x, _c9));
+    const S _s16 = singles_abs(singles_sub(x, _c10));
+    const S _s17 = singles_min(_s15, _s16);
+    const S _s18 = singles_min(_s14, _s17);
+    const S _s19 = singles_min(_s13, _s18);
+    const S _s20 = singles_min(_s12, _s19);
+    const S _s21 = singles_sub(singles_min(_s11, _s20), _c11);
+    const S _s22 = singles_max(_c7, _s10);
+    const S _s23 = singles_div(KS(1.0), singles_mul(KS(100.0), _s21));
+    const S _s24 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_mul(t, singles_abs(normal_velocity))));
+    const S _s25 = singles_mul(t, t);
+    const S _s26 = singles_abs(vx);
+    const S _s27 = singles_abs(vy);
+    const S _s28 = singles_add(singles_mul(_c5, _s25), singles_mul(t, singles_add(singles_add(_s26, _s27), singles_abs(vz))));
+    const S _s29 = singles_mul(KS(2.0), t);
+    const S _s30 = singles_abs(x);
+    const S _s31 = singles_add(_c12, singles_mul(KS(2.220446049250313e-16), _s30));
+    const S _s32 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s29, _s26), _s30))), singles_mul(KS(2.0), _s31));
+    const S _s33 = singles_abs(y);
+    const S _s34 = singles_add(_c13, singles_mul(KS(2.220446049250313e-16), _s33));
+    const S _s35 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s29, _s27), _s33))), singles_mul(KS(2.0), _s34));
+    const S _s36 = singles_abs(z);
+    const S _s37 = singles_add(singles_add(singles_mul(_c14, _s25), singles_mul(_s29, singles_abs(singles_add(vz, singles_mul(_c14, t))))), _s36);
+    const S _s38 = singles_add(_c15, singles_mul(KS(3.3306690738754696e-16), _s36));
+    const S _s39 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s37)), singles_mul(KS(2.0), _s38));
+    const S _s40 = singles_add(singles_mul(singles_mul(_c7, _s28), singles_add(singles_add(_s32, _s35), _s39)), singles_mul(KS(1.3322676295501878e-15), _s28));
+    const S _s41 = singles_mul(KS(1.125), _s40);
+    const S _s42 = singles_mul(KS(1.7763568394002505e-15), singles_mul(_c0, singles_div(singles_mul(normal_velocity, normal_velocity), singles_add(singles_add(singles_mul(vx, vx), singles_mul(vy, vy)), singles_mul(vz, vz)))));
+    const S _s43 = singles_add(singles_add(_s24, _s40), singles_max(_s41, _s42));
+    const S _s44 = singles_add(_c16, singles_add(singles_add(singles_mul(singles_abs(nx), _s32), singles_mul(singles_abs(ny), _s35)), singles_mul(singles_abs(nz), _s39)));
+    const S _s45 = singles_mul(KS(1.125), _s44);
+    const S _s46 = singles_add(singles_add(_s24, _s44), singles_max(_s45, _s42));
+    const S _s47 = singles_add(place_n, _s46);
+    const Q _s48 = singles_less(KS(0.0), back);
+    const S _s49 = singles_add(place_n, _s43);
+    return (LANES(court_bridge_tangents_out)){ singles_select(_s1, singles_neg(singles_mul(ny, _s2)), KS(0.0)), singles_select(_s1, singles_mul(nx, _s2), KS(1.0)), _s5, _s10, singles_select(singles_less(KS(0.0), _s21), singles_max(_s22, _s23), KS(INFINITY)), singles_select(_s48, singles_max(_s43, _s47), _s46), singles_select(_s48, singles_max(_s49, _s46), _s46), singles_add(KS(8.881784197001252e-16), singles_mul(_c17, singles_add(singles_add(_s34, _s31), _s38))) };
+}
+
 /* Error of the normal, from that of the position.
    derivative of Table 2's normal. 98 operations: 10 additions, 12 subtractions, 17 multiplications, 7 divisions, 1 square root, 5 negations, 23 comparisons, 23 selections. */
 typedef struct {
@@ -5032,6 +5708,20 @@ LANES_INLINE LANES(court_end_normal_out)
 LANES(court_end_normal)(void)
 {
     return (LANES(court_end_normal_out)){ K(0.0), K(0.0), K(1.0) };
+}
+
+/* Tangent and curvatures at a contact, and bounds on the roundings there.
+   Table 2, running error analysis. 11 operations: 4 additions, 4 multiplications, 3 absolute values. */
+typedef struct {
+    S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
+} LANES(court_end_tangents_out);
+
+LANES_INLINE LANES(court_end_tangents_out)
+LANES(court_end_tangents)(S t, S z, S vz, S _c0)
+{
+    const S _s0 = singles_add(singles_mul(singles_mul(KS(4.0), t), singles_add(singles_abs(vz), singles_abs(singles_add(vz, singles_mul(_c0, t))))), singles_abs(z));
+    const S _s1 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s0));
+    return (LANES(court_end_tangents_out)){ KS(0.0), KS(1.0), KS(0.0), KS(0.0), KS(0.0), _s1, _s1, KS(0.0) };
 }
 
 /* Time of the only arrival, the gap's first two derivatives there, and its apex.

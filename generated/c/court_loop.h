@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation cf814d7dac6b467f,
+   Generated from templates/c/loop.h.j2, scene court, derivation ea060a301a126bc8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -28,6 +28,26 @@ typedef struct {
     LANES(column) dwx; /* carried error of wx */
     LANES(column) dwy; /* carried error of wy */
     LANES(column) dwz; /* carried error of wz */
+    LANES(singles_column) place_n; /* bound on an error in the frame of the last contact */
+    LANES(singles_column) place_s; /* bound on an error in the frame of the last contact */
+    LANES(singles_column) place_e; /* bound on an error in the frame of the last contact */
+    LANES(singles_column) pace_n; /* bound on an error in the frame of the last contact */
+    LANES(singles_column) pace_s; /* bound on an error in the frame of the last contact */
+    LANES(singles_column) pace_e; /* bound on an error in the frame of the last contact */
+    LANES(singles_column) turn_n; /* bound on an error in the frame of the last contact */
+    LANES(singles_column) turn_z; /* bound on an error in the frame of the last contact */
+    LANES(singles_column) position_bound; /* bound on the error of the position */
+    LANES(singles_column) velocity_bound; /* bound on the error of the velocity */
+    LANES(singles_column) spin_bound; /* bound on the error of the spin */
+    LANES(singles_column) left_ex; /* of the frame of the last contact */
+    LANES(singles_column) left_ey; /* of the frame of the last contact */
+    LANES(singles_column) left_bend_s; /* of the frame of the last contact */
+    LANES(singles_column) left_bend_e; /* of the frame of the last contact */
+    LANES(singles_column) frame_nx; /* of the frame of the last contact */
+    LANES(singles_column) frame_ny; /* of the frame of the last contact */
+    LANES(singles_column) frame_nz; /* of the frame of the last contact */
+    LANES(column) estimated; /* 1: bounds on its errors are estimated from here on */
+    LANES(singles_column) clock_bound; /* bound on what the contacts' times were off by, summed */
 #endif
     LANES(column) clock; /* time of the last event, s since the release */
 #if BOUNDED
@@ -86,6 +106,26 @@ typedef struct {
     LANES(column) waiting_dwx;
     LANES(column) waiting_dwy;
     LANES(column) waiting_dwz;
+    LANES(singles_column) waiting_place_n;
+    LANES(singles_column) waiting_place_s;
+    LANES(singles_column) waiting_place_e;
+    LANES(singles_column) waiting_pace_n;
+    LANES(singles_column) waiting_pace_s;
+    LANES(singles_column) waiting_pace_e;
+    LANES(singles_column) waiting_turn_n;
+    LANES(singles_column) waiting_turn_z;
+    LANES(singles_column) waiting_position_bound;
+    LANES(singles_column) waiting_velocity_bound;
+    LANES(singles_column) waiting_spin_bound;
+    LANES(singles_column) waiting_left_ex;
+    LANES(singles_column) waiting_left_ey;
+    LANES(singles_column) waiting_left_bend_s;
+    LANES(singles_column) waiting_left_bend_e;
+    LANES(singles_column) waiting_frame_nx;
+    LANES(singles_column) waiting_frame_ny;
+    LANES(singles_column) waiting_frame_nz;
+    LANES(column) waiting_estimated;
+    LANES(singles_column) waiting_clock_bound;
 #endif
     LANES(column) waiting_clock;
 #if BOUNDED
@@ -216,33 +256,35 @@ typedef struct {
         in_contact_circling_ended_last_grip_clock, in_contact_circling_ended_last_grip_deficit,
         in_contact_circling_ended_last_grip_deficit_rate, in_contact_circling_ended_position_error,
         in_contact_circling_ended_undecided_time, in_contact_circling_ended_velocity_error,
-        in_contact_circling_grip_lost, in_contact_circling_last_grip_clock,
-        in_contact_circling_last_grip_deficit, in_contact_circling_last_grip_deficit_rate,
-        in_contact_circling_undecided_time, in_contact_clock_error, in_contact_dvx, in_contact_dvy,
-        in_contact_dvz, in_contact_dwx, in_contact_dwy, in_contact_dwz, in_contact_dx,
-        in_contact_dy, in_contact_dz, in_contact_earliest_delay, in_contact_grip_lost,
+        in_contact_circling_estimated, in_contact_circling_grip_lost,
+        in_contact_circling_last_grip_clock, in_contact_circling_last_grip_deficit,
+        in_contact_circling_last_grip_deficit_rate, in_contact_circling_undecided_time,
+        in_contact_clock_error, in_contact_dvx, in_contact_dvy, in_contact_dvz, in_contact_dwx,
+        in_contact_dwy, in_contact_dwz, in_contact_dx, in_contact_dy, in_contact_dz,
+        in_contact_earliest_delay, in_contact_estimated, in_contact_grip_lost,
         in_contact_last_grip_clock, in_contact_last_grip_deficit, in_contact_last_grip_deficit_rate,
         in_contact_leaves_clock_error, in_contact_leaves_dvx, in_contact_leaves_dvy,
         in_contact_leaves_dvz, in_contact_leaves_dwx, in_contact_leaves_dwy, in_contact_leaves_dwz,
         in_contact_leaves_dx, in_contact_leaves_dy, in_contact_leaves_dz,
-        in_contact_leaves_position_error, in_contact_leaves_undecided_time,
-        in_contact_leaves_velocity_error, in_contact_position_error, in_contact_rolling_clock_error,
-        in_contact_rolling_dvx, in_contact_rolling_dvy, in_contact_rolling_dvz,
-        in_contact_rolling_dwx, in_contact_rolling_dwy, in_contact_rolling_dwz,
-        in_contact_rolling_dx, in_contact_rolling_dy, in_contact_rolling_dz,
-        in_contact_rolling_earliest_delay, in_contact_rolling_ended_dvx,
-        in_contact_rolling_ended_dvy, in_contact_rolling_ended_dvz, in_contact_rolling_ended_dwx,
-        in_contact_rolling_ended_dwy, in_contact_rolling_ended_dwz, in_contact_rolling_ended_dx,
-        in_contact_rolling_ended_dy, in_contact_rolling_ended_dz,
+        in_contact_leaves_estimated, in_contact_leaves_position_error,
+        in_contact_leaves_undecided_time, in_contact_leaves_velocity_error,
+        in_contact_position_error, in_contact_rolling_clock_error, in_contact_rolling_dvx,
+        in_contact_rolling_dvy, in_contact_rolling_dvz, in_contact_rolling_dwx,
+        in_contact_rolling_dwy, in_contact_rolling_dwz, in_contact_rolling_dx,
+        in_contact_rolling_dy, in_contact_rolling_dz, in_contact_rolling_earliest_delay,
+        in_contact_rolling_ended_dvx, in_contact_rolling_ended_dvy, in_contact_rolling_ended_dvz,
+        in_contact_rolling_ended_dwx, in_contact_rolling_ended_dwy, in_contact_rolling_ended_dwz,
+        in_contact_rolling_ended_dx, in_contact_rolling_ended_dy, in_contact_rolling_ended_dz,
         in_contact_rolling_ended_earliest_delay, in_contact_rolling_ended_grip_lost,
         in_contact_rolling_ended_last_grip_clock, in_contact_rolling_ended_last_grip_deficit,
         in_contact_rolling_ended_last_grip_deficit_rate, in_contact_rolling_ended_position_error,
         in_contact_rolling_ended_undecided_time, in_contact_rolling_ended_velocity_error,
-        in_contact_rolling_grip_lost, in_contact_rolling_last_grip_clock,
-        in_contact_rolling_last_grip_deficit, in_contact_rolling_last_grip_deficit_rate,
-        in_contact_rolling_undecided_time, in_contact_undecided_time, in_contact_velocity_error,
-        latest, leaving, pad, position_error, rate, reachable_earliest_delay, reachable_latest,
-        reachable_leaving, reachable_position_error, reachable_rate, reachable_refining_ended_rate,
+        in_contact_rolling_estimated, in_contact_rolling_grip_lost,
+        in_contact_rolling_last_grip_clock, in_contact_rolling_last_grip_deficit,
+        in_contact_rolling_last_grip_deficit_rate, in_contact_rolling_undecided_time,
+        in_contact_undecided_time, in_contact_velocity_error, latest, leaving, pad, position_error,
+        rate, reachable_earliest_delay, reachable_latest, reachable_leaving,
+        reachable_position_error, reachable_rate, reachable_refining_ended_rate,
         reachable_searching, reachable_searching_ended_searching, reachable_searching_ended_t,
         reachable_searching_ended_undecided_time, reachable_searching_position_error,
         reachable_searching_undecided_time, reachable_searching_velocity_error, reachable_t,
@@ -251,9 +293,16 @@ typedef struct {
         searching_searching_ended_t, searching_searching_ended_undecided_time,
         searching_searching_position_error, searching_searching_undecided_time,
         searching_searching_velocity_error, searching_undecided_time, searching_velocity_error,
-        slow_assured, slow_dx, slow_dy, slow_dz, slow_uncertain, slow_velocity_error,
-        turning_p_backboard_friction, turning_p_bridge_friction, turning_p_ring_friction,
-        undecided_time, velocity_error;
+        slow_assured, slow_dx, slow_dy, slow_dz, slow_estimated, slow_uncertain,
+        slow_velocity_error, turning_p_backboard_friction, turning_p_bridge_friction,
+        turning_p_ring_friction, undecided_time, velocity_error;
+    LANES(singles_column) in_contact_circling_clock_bound, in_contact_circling_position_bound,
+        in_contact_circling_spin_bound, in_contact_circling_velocity_bound, in_contact_clock_bound,
+        in_contact_leaves_clock_bound, in_contact_leaves_position_bound,
+        in_contact_leaves_spin_bound, in_contact_leaves_velocity_bound, in_contact_position_bound,
+        in_contact_rolling_clock_bound, in_contact_rolling_position_bound,
+        in_contact_rolling_spin_bound, in_contact_rolling_velocity_bound, in_contact_spin_bound,
+        in_contact_velocity_bound;
 #endif
     /* What kernels make of parameters alone. */
     _Alignas(64) double fixed[LANES_ROWS][LANES_WIDTH];
@@ -271,9 +320,12 @@ LANES_INLINE void LOOP(fill)(LOOP(worklist) *worklist, size_t row, int varying)
 {
     EACH(FILL, , x, y, z, vx, vy, vz, wx, wy, wz, clock, first, contacts, count_0, count_1, count_2)
     EACH(FILL, , held, mode, circled, rolls, slip_left, through, outcome, last, shot)
-    BOUNDS(EACH(FILL, , dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, clock_error, assured, grip_lost))
-    BOUNDS(EACH(FILL, , last_grip_deficit, last_grip_deficit_rate, last_grip_clock, uncertain))
+    BOUNDS(EACH(FILL, , dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, estimated, clock_error, assured))
+    BOUNDS(EACH(FILL, , grip_lost, last_grip_deficit, last_grip_deficit_rate, last_grip_clock, uncertain))
     BOUNDS(EACH(FILL, , position_claim, velocity_claim, spin_claim, time_claim))
+    BOUNDS(EACH(FILL_SINGLE, , place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z))
+    BOUNDS(EACH(FILL_SINGLE, , position_bound, velocity_bound, spin_bound, left_ex, left_ey, left_bend_s))
+    BOUNDS(EACH(FILL_SINGLE, , left_bend_e, frame_nx, frame_ny, frame_nz, clock_bound))
     if (varying) {
         for (int p = 0; p < COURT_PARAMETERS; p++)
             lanes_store(worklist->parameters.columns[p] + row, K(0.0));
@@ -309,8 +361,14 @@ LANES_INLINE void LOOP(reset)(const court_job *job, size_t start, size_t shots)
 LANES_INLINE void LOOP(begin_fields)(LOOP(worklist) *worklist, size_t row, size_t shots)
 {
     for (size_t k = 0; k < shots; k += LANES_WIDTH) {
+        BOUNDS(EACH(BEGIN, K(0.0), dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz))
+        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n))
+        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), turn_z, position_bound, velocity_bound, spin_bound, left_ex))
+        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), left_ey, left_bend_s, left_bend_e, frame_nx, frame_ny, frame_nz))
+        BOUNDS(EACH(BEGIN, K(0.0), estimated))
+        BOUNDS(EACH(BEGIN_SINGLE, KS(0.0), clock_bound))
         EACH(BEGIN, K(0.0), clock)
-        BOUNDS(EACH(BEGIN, K(0.0), dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, clock_error))
+        BOUNDS(EACH(BEGIN, K(0.0), clock_error))
         EACH(BEGIN, K(-1.0), first)
         EACH(BEGIN, K(0.0), contacts, count_0, count_1, count_2)
         EACH(BEGIN, K(-1.0), held)
@@ -495,6 +553,18 @@ LANES_INLINE void LOOP(finish_all)(const LOOP(worklist) *worklist, size_t shots,
                 to[k + lane] = (uint8_t)numbers[lane];
         }
     }
+    if (out->estimated) {
+        uint8_t *const restrict to = out->estimated + start;
+        for (size_t k = 0; k < shots; k += LANES_WIDTH) {
+            /* By way of whole numbers of four bytes a compiler finds vectors for it. */
+            const size_t some = shots - k < LANES_WIDTH ? shots - k : LANES_WIDTH;
+            int32_t numbers[LANES_WIDTH];
+            for (size_t lane = 0; lane < LANES_WIDTH; lane++)
+                numbers[lane] = (int32_t)worklist->estimated[k + lane];
+            for (size_t lane = 0; lane < some; lane++)
+                to[k + lane] = (uint8_t)numbers[lane];
+        }
+    }
 #endif
 }
 
@@ -553,6 +623,9 @@ LANES_INLINE void LOOP(finish)(const LOOP(worklist) *worklist, size_t row, const
     if (out->uncertain) {
         out->uncertain[shot] = (uint8_t)worklist->uncertain[row];
     }
+    if (out->estimated) {
+        out->estimated[shot] = (uint8_t)worklist->estimated[row];
+    }
 #endif
 }
 
@@ -562,8 +635,12 @@ LANES_INLINE void LOOP(wait)(LOOP(worklist) *worklist, size_t row, M who, const 
     lanes_pack(worklist->waiting_shot + worklist->waiting, who, lanes_load(worklist->shot + row));
     EACH(WAIT, waiting_, x, y, z, vx, vy, vz, wx, wy, wz, clock, last, first, contacts, count_0)
     EACH(WAIT, waiting_, count_1, count_2, held, mode, circled, rolls, slip_left, through)
-    BOUNDS(EACH(WAIT, waiting_, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, clock_error, assured, grip_lost))
-    BOUNDS(EACH(WAIT, waiting_, last_grip_deficit, last_grip_deficit_rate, last_grip_clock, uncertain))
+    BOUNDS(EACH(WAIT, waiting_, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, estimated, clock_error, assured))
+    BOUNDS(EACH(WAIT, waiting_, grip_lost, last_grip_deficit, last_grip_deficit_rate, last_grip_clock))
+    BOUNDS(EACH(WAIT, waiting_, uncertain))
+    BOUNDS(EACH(WAIT_SINGLE, waiting_, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z))
+    BOUNDS(EACH(WAIT_SINGLE, waiting_, position_bound, velocity_bound, spin_bound, left_ex, left_ey))
+    BOUNDS(EACH(WAIT_SINGLE, waiting_, left_bend_s, left_bend_e, frame_nx, frame_ny, frame_nz, clock_bound))
     if (job->varying)
         for (int p = 0; p < COURT_PARAMETERS; p++)
             lanes_pack(worklist->waiting_parameters.columns[p] + worklist->waiting, who, lanes_load(worklist->parameters.columns[p] + row));
@@ -579,7 +656,10 @@ LANES_INLINE size_t LOOP(resume)(LOOP(worklist) *worklist, size_t row, const cou
     memcpy(worklist->shot + row, worklist->waiting_shot + from, shots * sizeof *worklist->shot);
     EACH(RESUME, waiting_, x, y, z, vx, vy, vz, wx, wy, wz, clock, last, first, contacts, count_0)
     EACH(RESUME, waiting_, count_1, count_2, held, mode, circled, rolls, slip_left, through)
-    BOUNDS(EACH(RESUME, waiting_, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, clock_error, assured))
+    BOUNDS(EACH(RESUME, waiting_, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, place_n, place_s, place_e))
+    BOUNDS(EACH(RESUME, waiting_, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound))
+    BOUNDS(EACH(RESUME, waiting_, spin_bound, left_ex, left_ey, left_bend_s, left_bend_e, frame_nx))
+    BOUNDS(EACH(RESUME, waiting_, frame_ny, frame_nz, estimated, clock_bound, clock_error, assured))
     BOUNDS(EACH(RESUME, waiting_, grip_lost, last_grip_deficit, last_grip_deficit_rate, last_grip_clock))
     BOUNDS(EACH(RESUME, waiting_, uncertain))
     if (job->varying)
@@ -614,8 +694,11 @@ LANES_INLINE size_t LOOP(leave)(LOOP(worklist) *worklist, size_t start, size_t s
             lanes_pack(worklist->shot + kept, going, lanes_load(worklist->shot + i));
             EACH(KEEP, , x, y, z, vx, vy, vz, wx, wy, wz, clock, last, contacts, held, mode)
             EACH(KEEP, , circled, through)
-            BOUNDS(EACH(KEEP, , dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, clock_error, assured, grip_lost))
-            BOUNDS(EACH(KEEP, , last_grip_deficit, last_grip_deficit_rate, last_grip_clock))
+            BOUNDS(EACH(KEEP, , dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, estimated, clock_error, assured))
+            BOUNDS(EACH(KEEP, , grip_lost, last_grip_deficit, last_grip_deficit_rate, last_grip_clock))
+            BOUNDS(EACH(KEEP_SINGLE, , place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z))
+            BOUNDS(EACH(KEEP_SINGLE, , position_bound, velocity_bound, spin_bound, left_ex, left_ey))
+            BOUNDS(EACH(KEEP_SINGLE, , left_bend_s, left_bend_e, frame_nx, frame_ny, frame_nz, clock_bound))
             if (job->results->first) {
                 EACH(KEEP, , first)
             }
@@ -728,6 +811,7 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         const V _s245 = lanes_add(lanes_add(_s227, lanes_mul(K(1.4210854715202004e-14), p_ring_radius)), lanes_mul(K(1.4210854715202004e-14), p_board_distance));
         const V _s248 = lanes_add(_s227, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
         const V _s255 = lanes_add(lanes_add(_s227, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
+        const V _s265 = lanes_mul(p_ball_radius, p_gravity);
         const V _s302 = lanes_neg(p_board_half_width);
         const V _s303 = lanes_max(K(0.0), _s302);
         const V _s304 = lanes_max(_s303, _s302);
@@ -744,12 +828,12 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         const V _s341 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s33, p_board_distance), p_board_half_width), p_board_thickness), p_bridge_half_width), p_bridge_depth), p_end_depth);
         const V _s345 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
         const V _s352 = lanes_div(lanes_mul(p_inertia, lanes_add(K(1.0), p_tangential_restitution)), _s217);
-        const V _s360 = lanes_sub(K(1.0), p_ring_restitution);
-        const V _s362 = lanes_add(K(1.0), p_ring_restitution);
-        const V _s369 = lanes_sub(K(1.0), p_backboard_restitution);
-        const V _s371 = lanes_add(K(1.0), p_backboard_restitution);
-        const V _s376 = lanes_sub(K(1.0), p_bridge_restitution);
-        const V _s378 = lanes_add(K(1.0), p_bridge_restitution);
+        const V _s361 = lanes_sub(K(1.0), p_ring_restitution);
+        const V _s363 = lanes_add(K(1.0), p_ring_restitution);
+        const V _s370 = lanes_sub(K(1.0), p_backboard_restitution);
+        const V _s372 = lanes_add(K(1.0), p_backboard_restitution);
+        const V _s377 = lanes_sub(K(1.0), p_bridge_restitution);
+        const V _s379 = lanes_add(K(1.0), p_bridge_restitution);
         FIX(0, lanes_add(lanes_add(lanes_add(lanes_add(_s23, lanes_abs(p_board_thickness)), lanes_abs(p_bridge_half_width)), lanes_abs(p_bridge_depth)), lanes_abs(p_end_depth)));
         FIX(1, _s33); FIX(2, lanes_neg(_s36)); FIX(3, _s38); FIX(4, lanes_neg(_s41)); FIX(5, _s44);
         FIX(6, p_ball_radius); FIX(7, p_ring_radius); FIX(8, p_wire_radius);
@@ -819,7 +903,7 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         FIX(127, lanes_mul(p_gravity, _s218)); FIX(128, lanes_mul(K(0.015625), p_gravity));
         FIX(129, lanes_mul(p_backboard_friction, p_backboard_friction));
         FIX(130, lanes_mul(p_bridge_friction, p_bridge_friction));
-        FIX(131, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
+        FIX(131, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(_s265)));
         FIX(132, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(133, _s45);
         FIX(134, p_bridge_depth); FIX(135, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
         FIX(136, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
@@ -847,23 +931,34 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         FIX(165, lanes_div(K(1.0), lanes_min(_s345, _s45))); FIX(166, p_restitution_speed);
         FIX(167, _s352); FIX(168, lanes_mul(_s352, _s352));
         FIX(169, lanes_mul(p_ball_radius, p_inertia));
-        FIX(170, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        FIX(171, lanes_mul(K(1.1920928955078125e-07), p_ball_radius)); FIX(172, p_ring_restitution);
-        FIX(173, _s360); FIX(174, lanes_mul(_s360, _s360));
-        FIX(175, lanes_mul(p_ring_friction, _s362)); FIX(176, lanes_mul(_s362, _s360));
-        FIX(177, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        FIX(178, lanes_mul(_s219, _s360)); FIX(179, p_backboard_restitution); FIX(180, _s369);
-        FIX(181, lanes_mul(_s369, _s369)); FIX(182, lanes_mul(p_backboard_friction, _s371));
-        FIX(183, lanes_mul(_s371, _s369)); FIX(184, lanes_mul(_s219, _s369));
-        FIX(185, p_bridge_restitution); FIX(186, _s376); FIX(187, lanes_mul(_s376, _s376));
-        FIX(188, lanes_mul(p_bridge_friction, _s378)); FIX(189, lanes_mul(_s378, _s376));
-        FIX(190, lanes_mul(_s219, _s376));
+        FIX(170, lanes_mul(K(1.52587890625e-05), _s265));
+        FIX(171, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        FIX(172, lanes_mul(K(1.1920928955078125e-07), p_ball_radius)); FIX(173, p_ring_restitution);
+        FIX(174, _s361); FIX(175, lanes_mul(_s361, _s361));
+        FIX(176, lanes_mul(p_ring_friction, _s363)); FIX(177, lanes_mul(_s363, _s361));
+        FIX(178, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
+        FIX(179, lanes_mul(_s219, _s361)); FIX(180, p_backboard_restitution); FIX(181, _s370);
+        FIX(182, lanes_mul(_s370, _s370)); FIX(183, lanes_mul(p_backboard_friction, _s372));
+        FIX(184, lanes_mul(_s372, _s370)); FIX(185, lanes_mul(_s219, _s370));
+        FIX(186, p_bridge_restitution); FIX(187, _s377); FIX(188, lanes_mul(_s377, _s377));
+        FIX(189, lanes_mul(p_bridge_friction, _s379)); FIX(190, lanes_mul(_s379, _s377));
+        FIX(191, lanes_mul(_s219, _s377));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
         const S _p_ring_radius = lanes_narrow(p_ring_radius);
         const S _p_wire_radius = lanes_narrow(p_wire_radius);
         const S _p_gravity = lanes_narrow(p_gravity);
+        const S _p_board_distance = lanes_narrow(p_board_distance);
+        const S _p_board_half_width = lanes_narrow(p_board_half_width);
+        const S _p_board_bottom = lanes_narrow(p_board_bottom);
+        const S _p_board_top = lanes_narrow(p_board_top);
+        const S _p_board_thickness = lanes_narrow(p_board_thickness);
+        const S _p_bridge_half_width = lanes_narrow(p_bridge_half_width);
+        const S _p_bridge_depth = lanes_narrow(p_bridge_depth);
+        const S _p_inertia = lanes_narrow(p_inertia);
+        const S _p_tangential_restitution = lanes_narrow(p_tangential_restitution);
+        const S _p_restitution_speed = lanes_narrow(p_restitution_speed);
         const S _s6 = singles_add(_p_ball_radius, _p_wire_radius);
         const S _s7 = singles_mul(KS(1.00006103515625), _s6);
         const S _s11 = singles_add(_p_ring_radius, _s7);
@@ -873,9 +968,19 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         const S _s23 = singles_div(_s6, _s16);
         const S _s24 = singles_max(KS(1.0), _s23);
         const S _s31 = singles_div(KS(1.0), _s16);
-        const S _s59 = singles_mul(KS(1.00048828125), _s11);
-        const S _s62 = singles_mul(KS(0.00048828125), _s11);
-        const S _s68 = singles_sub(_s13, _s62);
+        const S _s58 = singles_div(KS(1.0), _s6);
+        const S _s60 = singles_sub(singles_sub(_p_ring_radius, _p_ball_radius), _p_wire_radius);
+        const S _s61 = singles_min(_s60, _s6);
+        const S _s69 = singles_mul(KS(2.0), singles_mul(_p_ring_radius, _s58));
+        const S _s82 = singles_div(KS(1.0), _p_ball_radius);
+        const S _s83 = singles_add(_p_board_distance, _p_board_thickness);
+        const S _s91 = singles_abs(_p_board_bottom);
+        const S _s93 = singles_abs(_p_board_top);
+        const S _s95 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_add(singles_add(singles_mul(KS(2.0), _p_board_distance), singles_mul(KS(2.0), _p_board_half_width)), _p_board_thickness), _s91), _s93));
+        const S _s135 = singles_div(singles_mul(_p_inertia, singles_add(KS(1.0), _p_tangential_restitution)), singles_add(KS(1.0), _p_inertia));
+        const S _s146 = singles_mul(KS(1.00048828125), _s11);
+        const S _s149 = singles_mul(KS(0.00048828125), _s11);
+        const S _s155 = singles_sub(_s13, _s149);
         FIX_SINGLE(0, _p_gravity); FIX_SINGLE(1, _s7);
         FIX_SINGLE(2, singles_mul(KS(2.0), _p_gravity));
         FIX_SINGLE(3, singles_div(KS(1.0), _p_gravity)); FIX_SINGLE(4, _s11);
@@ -894,11 +999,41 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         FIX_SINGLE(23, singles_add(singles_mul(KS(0.0001220703125), _p_ball_radius), singles_mul(KS(0.0001220703125), _p_wire_radius)));
         FIX_SINGLE(24, singles_mul(KS(9.5367431640625e-07), _s11));
         FIX_SINGLE(25, singles_add(singles_mul(KS(0.000244140625), _p_ball_radius), singles_mul(KS(0.000244140625), _p_wire_radius)));
-        FIX_SINGLE(26, singles_mul(_s59, _s59)); FIX_SINGLE(27, singles_add(_s7, _s62));
-        FIX_SINGLE(28, singles_sub(singles_sub(_p_ring_radius, singles_mul(KS(1.4143014047294855), _s6)), _s62));
-        FIX_SINGLE(29, _s68); FIX_SINGLE(30, singles_mul(_s68, _s68));
-        FIX_SINGLE(31, singles_mul(KS(128.0), _s11));
-        FIX_SINGLE(32, singles_mul(KS(1.52587890625e-05), _s11));
+        FIX_SINGLE(26, _s58); FIX_SINGLE(27, _s61); FIX_SINGLE(28, singles_div(KS(1.0), _s61));
+        FIX_SINGLE(29, singles_mul(singles_sqrt(_p_gravity), singles_sqrt(_s6)));
+        FIX_SINGLE(30, singles_mul(KS(1.1102230246251565e-16), singles_add(KS(16.0), _s69)));
+        FIX_SINGLE(31, singles_mul(KS(3.5), _s6));
+        FIX_SINGLE(32, singles_mul(KS(1.1102230246251565e-16), singles_add(KS(7.0), _s69)));
+        FIX_SINGLE(33, _p_ball_radius); FIX_SINGLE(34, _p_board_distance);
+        FIX_SINGLE(35, _p_board_half_width); FIX_SINGLE(36, _p_board_bottom);
+        FIX_SINGLE(37, _p_board_top); FIX_SINGLE(38, _s82); FIX_SINGLE(39, _s83);
+        FIX_SINGLE(40, singles_neg(_p_board_half_width));
+        FIX_SINGLE(41, singles_neg(_p_board_distance)); FIX_SINGLE(42, singles_neg(_s83));
+        FIX_SINGLE(43, _s95);
+        FIX_SINGLE(44, singles_add(singles_mul(KS(3.3306690738754696e-16), _p_board_distance), singles_mul(KS(2.220446049250313e-16), _p_board_thickness)));
+        FIX_SINGLE(45, singles_mul(KS(3.3306690738754696e-16), _p_board_half_width));
+        FIX_SINGLE(46, singles_add(singles_mul(KS(2.220446049250313e-16), _s91), singles_mul(KS(2.220446049250313e-16), _s93)));
+        FIX_SINGLE(47, singles_mul(KS(8.881784197001252e-16), _p_ball_radius));
+        FIX_SINGLE(48, singles_mul(KS(2.0), _s82)); FIX_SINGLE(49, _p_wire_radius);
+        FIX_SINGLE(50, _p_bridge_half_width);
+        FIX_SINGLE(51, singles_sub(_p_wire_radius, _p_bridge_depth));
+        FIX_SINGLE(52, singles_neg(_p_bridge_half_width));
+        FIX_SINGLE(53, singles_neg(_p_ring_radius));
+        FIX_SINGLE(54, singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_add(singles_add(_p_ring_radius, _p_wire_radius), _p_board_distance), singles_mul(KS(2.0), _p_bridge_half_width)), singles_abs(singles_sub(_p_bridge_depth, _p_wire_radius)))));
+        FIX_SINGLE(55, singles_add(singles_mul(KS(1.1102230246251565e-16), _p_ring_radius), singles_mul(KS(1.1102230246251565e-16), _p_board_distance)));
+        FIX_SINGLE(56, singles_mul(KS(3.3306690738754696e-16), _p_bridge_half_width));
+        FIX_SINGLE(57, singles_add(singles_mul(KS(5.551115123125783e-16), _p_wire_radius), singles_mul(KS(2.220446049250313e-16), _p_bridge_depth)));
+        FIX_SINGLE(58, _p_restitution_speed); FIX_SINGLE(59, _s135);
+        FIX_SINGLE(60, singles_abs(KS(0.0)));
+        FIX_SINGLE(61, singles_div(KS(1.0), _p_restitution_speed));
+        FIX_SINGLE(62, singles_mul(KS(32.0), _s135)); FIX_SINGLE(63, singles_neg(_p_ball_radius));
+        FIX_SINGLE(64, singles_div(KS(1.0), singles_mul(_p_ball_radius, _p_inertia)));
+        FIX_SINGLE(65, singles_add(KS(1.0), singles_div(KS(1.0), _p_inertia)));
+        FIX_SINGLE(66, singles_mul(_s146, _s146)); FIX_SINGLE(67, singles_add(_s7, _s149));
+        FIX_SINGLE(68, singles_sub(singles_sub(_p_ring_radius, singles_mul(KS(1.4143014047294855), _s6)), _s149));
+        FIX_SINGLE(69, _s155); FIX_SINGLE(70, singles_mul(_s155, _s155));
+        FIX_SINGLE(71, singles_mul(KS(128.0), _s11));
+        FIX_SINGLE(72, singles_mul(KS(1.52587890625e-05), _s11));
     }
 }
 
@@ -1626,8 +1761,10 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         EACH(LOAD, in_contact_leaves_, x, y, z)
 #if BOUNDED
         EACH(LOAD, in_contact_leaves_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz)
-        EACH(LOAD, in_contact_leaves_, undecided_time)
-        CALL(court_error_bounds, _error_bounds_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+        EACH(LOAD, in_contact_leaves_, estimated, undecided_time)
+        EACH(LOAD_SINGLE, in_contact_leaves_, clock_bound, position_bound, spin_bound)
+        EACH(LOAD_SINGLE, in_contact_leaves_, velocity_bound)
+        CALL(court_error_bounds, _error_bounds_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, lanes_wide(position_bound), lanes_wide(velocity_bound), lanes_wide(spin_bound), estimated, lanes_wide(clock_bound));
         EACH(GET, _error_bounds_1, position_error, velocity_error)
 #endif
         CALL(court_holding, _holding_1)(K(0.0), held);
@@ -1851,17 +1988,20 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         const M packed = lanes_both(rows, rolling);
         if (lanes_any(packed)) {
             EACH(LOAD, in_contact_, through, vx, vy, vz, wx, wy, wz, x, y, z)
+            BOUNDS(EACH(LOAD_SINGLE, in_contact_, clock_bound, position_bound, spin_bound, velocity_bound))
             BOUNDS(EACH(LOAD, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-            BOUNDS(EACH(LOAD, in_contact_, grip_lost, last_grip_clock, last_grip_deficit))
+            BOUNDS(EACH(LOAD, in_contact_, estimated, grip_lost, last_grip_clock, last_grip_deficit))
             BOUNDS(EACH(LOAD, in_contact_, last_grip_deficit_rate))
             lanes_pack(worklist->in_contact_rolling_row + in_contact_rolling_shots, packed, lanes_add(iota(), K((double)i)));
             EACH(PACK, in_contact_rolling_, bent_x, bent_y, bent_z, clock, held, nx, ny, nz)
             EACH(PACK, in_contact_rolling_, per_reach, through, vx, vy, vz, which, wx, wy, wz, x, y)
             EACH(PACK, in_contact_rolling_, z)
             BOUNDS(EACH(PACK, in_contact_rolling_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-            BOUNDS(EACH(PACK, in_contact_rolling_, earliest_delay, grip_lost, last_grip_clock))
+            BOUNDS(EACH(PACK, in_contact_rolling_, earliest_delay, estimated, grip_lost, last_grip_clock))
             BOUNDS(EACH(PACK, in_contact_rolling_, last_grip_deficit, last_grip_deficit_rate))
             BOUNDS(EACH(PACK, in_contact_rolling_, undecided_time))
+            BOUNDS(EACH(PACK_SINGLE, in_contact_rolling_, clock_bound, position_bound, spin_bound))
+            BOUNDS(EACH(PACK_SINGLE, in_contact_rolling_, velocity_bound))
             if (LANES_SELDOM(varying)) {
 #if BOUNDED
                 for (size_t _p = 0; _p < 15; _p++) {
@@ -1878,8 +2018,10 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         EACH(CLEAR, in_contact_rolling_, row, bent_x, bent_y, bent_z, clock, held, nx, ny, nz)
         EACH(CLEAR, in_contact_rolling_, per_reach, through, vx, vy, vz, which, wx, wy, wz, x, y, z)
         BOUNDS(EACH(CLEAR, in_contact_rolling_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-        BOUNDS(EACH(CLEAR, in_contact_rolling_, earliest_delay, grip_lost, last_grip_clock))
+        BOUNDS(EACH(CLEAR, in_contact_rolling_, earliest_delay, estimated, grip_lost, last_grip_clock))
         BOUNDS(EACH(CLEAR, in_contact_rolling_, last_grip_deficit, last_grip_deficit_rate, undecided_time))
+        BOUNDS(EACH(CLEAR_SINGLE, in_contact_rolling_, clock_bound, position_bound, spin_bound))
+        BOUNDS(EACH(CLEAR_SINGLE, in_contact_rolling_, velocity_bound))
         if (LANES_SELDOM(varying)) {
 #if BOUNDED
             for (size_t _p = 0; _p < 15; _p++) {
@@ -1898,8 +2040,9 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         EACH(START, , row, turns, bent_x, bent_y, bent_z, clock, held, nx, ny, nz, per_reach)
         EACH(START, , through, vx, vy, vz, which, wx, wy, wz, x, y, z)
         BOUNDS(EACH(START, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, earliest_delay))
-        BOUNDS(EACH(START, , grip_lost, last_grip_clock, last_grip_deficit, last_grip_deficit_rate))
-        BOUNDS(EACH(START, , undecided_time))
+        BOUNDS(EACH(START, , estimated, grip_lost, last_grip_clock, last_grip_deficit))
+        BOUNDS(EACH(START, , last_grip_deficit_rate, undecided_time))
+        BOUNDS(EACH(START_SINGLE, , clock_bound, position_bound, spin_bound, velocity_bound))
         for (;;) {
             if ((taken < in_contact_rolling_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
                 const M idle = lanes_not(active);
@@ -1908,9 +2051,11 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
                 EACH(EXPAND, in_contact_rolling_, nz, per_reach, through, vx, vy, vz, which, wx, wy)
                 EACH(EXPAND, in_contact_rolling_, wz, x, y, z)
                 BOUNDS(EACH(EXPAND, in_contact_rolling_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy))
-                BOUNDS(EACH(EXPAND, in_contact_rolling_, dz, earliest_delay, grip_lost, last_grip_clock))
-                BOUNDS(EACH(EXPAND, in_contact_rolling_, last_grip_deficit, last_grip_deficit_rate))
-                BOUNDS(EACH(EXPAND, in_contact_rolling_, undecided_time))
+                BOUNDS(EACH(EXPAND, in_contact_rolling_, dz, earliest_delay, estimated, grip_lost))
+                BOUNDS(EACH(EXPAND, in_contact_rolling_, last_grip_clock, last_grip_deficit))
+                BOUNDS(EACH(EXPAND, in_contact_rolling_, last_grip_deficit_rate, undecided_time))
+                BOUNDS(EACH(EXPAND_SINGLE, in_contact_rolling_, clock_bound, position_bound, spin_bound))
+                BOUNDS(EACH(EXPAND_SINGLE, in_contact_rolling_, velocity_bound))
                 if (LANES_SELDOM(varying))
                     LOOP(fix_in_contact_rolling_rows_1)(worklist, taken, idle);
                 const size_t room = LANES_WIDTH - busy;
@@ -1923,7 +2068,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
                 break;
             M rolling = active;
 #if BOUNDED
-            CALL(court_error_bounds, _error_bounds_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+            CALL(court_error_bounds, _error_bounds_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, lanes_wide(position_bound), lanes_wide(velocity_bound), lanes_wide(spin_bound), estimated, lanes_wide(clock_bound));
             EACH(GET, _error_bounds_1, position_error, velocity_error)
 #endif
             CALL(court_holding, _holding_1)(K(1.0), held);
@@ -2488,15 +2633,18 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         if (lanes_any(packed)) {
             EACH(LOAD, in_contact_, circled, clock, through, vx, vy, vz, which, wx, wy, wz, x, y, z)
             BOUNDS(EACH(LOAD, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-            BOUNDS(EACH(LOAD, in_contact_, earliest_delay, grip_lost, last_grip_clock, last_grip_deficit))
-            BOUNDS(EACH(LOAD, in_contact_, last_grip_deficit_rate, undecided_time))
+            BOUNDS(EACH(LOAD, in_contact_, earliest_delay, estimated, grip_lost, last_grip_clock))
+            BOUNDS(EACH(LOAD, in_contact_, last_grip_deficit, last_grip_deficit_rate, undecided_time))
+            BOUNDS(EACH(LOAD_SINGLE, in_contact_, clock_bound, position_bound, spin_bound, velocity_bound))
             lanes_pack(worklist->in_contact_circling_row + in_contact_circling_shots, packed, lanes_add(iota(), K((double)i)));
             EACH(PACK, in_contact_circling_, circled, clock, through, vx, vy, vz, which, wx, wy, wz)
             EACH(PACK, in_contact_circling_, x, y, z)
             BOUNDS(EACH(PACK, in_contact_circling_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-            BOUNDS(EACH(PACK, in_contact_circling_, earliest_delay, grip_lost, last_grip_clock))
+            BOUNDS(EACH(PACK, in_contact_circling_, earliest_delay, estimated, grip_lost, last_grip_clock))
             BOUNDS(EACH(PACK, in_contact_circling_, last_grip_deficit, last_grip_deficit_rate))
             BOUNDS(EACH(PACK, in_contact_circling_, undecided_time))
+            BOUNDS(EACH(PACK_SINGLE, in_contact_circling_, clock_bound, position_bound, spin_bound))
+            BOUNDS(EACH(PACK_SINGLE, in_contact_circling_, velocity_bound))
             if (LANES_SELDOM(varying)) {
 #if BOUNDED
                 for (size_t _p = 0; _p < 14; _p++) {
@@ -2513,8 +2661,10 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         EACH(CLEAR, in_contact_circling_, row, circled, clock, through, vx, vy, vz, which, wx, wy)
         EACH(CLEAR, in_contact_circling_, wz, x, y, z)
         BOUNDS(EACH(CLEAR, in_contact_circling_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-        BOUNDS(EACH(CLEAR, in_contact_circling_, earliest_delay, grip_lost, last_grip_clock))
+        BOUNDS(EACH(CLEAR, in_contact_circling_, earliest_delay, estimated, grip_lost, last_grip_clock))
         BOUNDS(EACH(CLEAR, in_contact_circling_, last_grip_deficit, last_grip_deficit_rate, undecided_time))
+        BOUNDS(EACH(CLEAR_SINGLE, in_contact_circling_, clock_bound, position_bound, spin_bound))
+        BOUNDS(EACH(CLEAR_SINGLE, in_contact_circling_, velocity_bound))
         if (LANES_SELDOM(varying)) {
 #if BOUNDED
             for (size_t _p = 0; _p < 14; _p++) {
@@ -2532,8 +2682,9 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         EACH(START_MASK, , active)
         EACH(START, , row, turns, circled, clock, through, vx, vy, vz, which, wx, wy, wz, x, y, z)
         BOUNDS(EACH(START, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, earliest_delay))
-        BOUNDS(EACH(START, , grip_lost, last_grip_clock, last_grip_deficit, last_grip_deficit_rate))
-        BOUNDS(EACH(START, , undecided_time))
+        BOUNDS(EACH(START, , estimated, grip_lost, last_grip_clock, last_grip_deficit))
+        BOUNDS(EACH(START, , last_grip_deficit_rate, undecided_time))
+        BOUNDS(EACH(START_SINGLE, , clock_bound, position_bound, spin_bound, velocity_bound))
         for (;;) {
             if ((taken < in_contact_circling_shots) && ((busy + LANES_SPARE) <= LANES_WIDTH)) {
                 const M idle = lanes_not(active);
@@ -2541,9 +2692,11 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
                 EACH(EXPAND, in_contact_circling_, row, circled, clock, through, vx, vy, vz, which)
                 EACH(EXPAND, in_contact_circling_, wx, wy, wz, x, y, z)
                 BOUNDS(EACH(EXPAND, in_contact_circling_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx))
-                BOUNDS(EACH(EXPAND, in_contact_circling_, dy, dz, earliest_delay, grip_lost))
+                BOUNDS(EACH(EXPAND, in_contact_circling_, dy, dz, earliest_delay, estimated, grip_lost))
                 BOUNDS(EACH(EXPAND, in_contact_circling_, last_grip_clock, last_grip_deficit))
                 BOUNDS(EACH(EXPAND, in_contact_circling_, last_grip_deficit_rate, undecided_time))
+                BOUNDS(EACH(EXPAND_SINGLE, in_contact_circling_, clock_bound, position_bound, spin_bound))
+                BOUNDS(EACH(EXPAND_SINGLE, in_contact_circling_, velocity_bound))
                 if (LANES_SELDOM(varying))
                     LOOP(fix_in_contact_circling_rows_1)(worklist, taken, idle);
                 const size_t room = LANES_WIDTH - busy;
@@ -2556,7 +2709,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
                 break;
             M circling = active;
 #if BOUNDED
-            CALL(court_error_bounds, _error_bounds_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+            CALL(court_error_bounds, _error_bounds_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, lanes_wide(position_bound), lanes_wide(velocity_bound), lanes_wide(spin_bound), estimated, lanes_wide(clock_bound));
             EACH(GET, _error_bounds_1, position_error, velocity_error)
 #endif
             CALL(court_ring_rolling_surface, _ring_rolling_surface_1)(FIXED(107));
@@ -2822,12 +2975,15 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(LOAD, in_contact_, clock, gap_jerk, gap_snap, held, lift, per_reach, vx, vy, vz, x)
             EACH(LOAD, in_contact_, y, z)
             BOUNDS(EACH(LOAD, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-            BOUNDS(EACH(LOAD, in_contact_, undecided_time))
+            BOUNDS(EACH(LOAD, in_contact_, estimated, undecided_time))
+            BOUNDS(EACH(LOAD_SINGLE, in_contact_, clock_bound, position_bound, spin_bound, velocity_bound))
             lanes_pack(worklist->in_contact_leaves_row + in_contact_leaves_shots, packed, lanes_add(iota(), K((double)i)));
             EACH(PACK, in_contact_leaves_, clock, gap_jerk, gap_snap, held, lift, per_reach, vx, vy)
             EACH(PACK, in_contact_leaves_, vz, x, y, z)
             BOUNDS(EACH(PACK, in_contact_leaves_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-            BOUNDS(EACH(PACK, in_contact_leaves_, undecided_time))
+            BOUNDS(EACH(PACK, in_contact_leaves_, estimated, undecided_time))
+            BOUNDS(EACH(PACK_SINGLE, in_contact_leaves_, clock_bound, position_bound, spin_bound))
+            BOUNDS(EACH(PACK_SINGLE, in_contact_leaves_, velocity_bound))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 12; _p++) {
                     lanes_pack(worklist->in_contact_leaves_parameters.columns[in_contact_leaves_taken[_p]] + in_contact_leaves_shots, packed, lanes_load(worklist->in_contact_parameters.columns[in_contact_leaves_taken[_p]] + i));
@@ -2840,7 +2996,9 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         EACH(CLEAR, in_contact_leaves_, row, clock, gap_jerk, gap_snap, held, lift, per_reach, vx)
         EACH(CLEAR, in_contact_leaves_, vy, vz, x, y, z)
         BOUNDS(EACH(CLEAR, in_contact_leaves_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-        BOUNDS(EACH(CLEAR, in_contact_leaves_, undecided_time))
+        BOUNDS(EACH(CLEAR, in_contact_leaves_, estimated, undecided_time))
+        BOUNDS(EACH(CLEAR_SINGLE, in_contact_leaves_, clock_bound, position_bound, spin_bound))
+        BOUNDS(EACH(CLEAR_SINGLE, in_contact_leaves_, velocity_bound))
         if (LANES_SELDOM(varying)) {
             for (size_t _p = 0; _p < 12; _p++) {
                 lanes_store(worklist->in_contact_leaves_parameters.columns[in_contact_leaves_taken[_p]] + in_contact_leaves_shots, K(0.0));
@@ -2903,8 +3061,72 @@ LANES_APART void LOOP(fix_rows_7)(LOOP(worklist) *worklist, size_t i)
 #endif
         FIX(166, p_restitution_speed); FIX(167, _s352); FIX(168, lanes_mul(_s352, _s352));
         FIX(169, lanes_mul(p_ball_radius, p_inertia));
-        FIX(170, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        FIX(171, lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
+#if BOUNDED
+        FIX(170, lanes_mul(K(1.52587890625e-05), lanes_mul(p_ball_radius, p_gravity)));
+#endif
+        FIX(171, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        FIX(172, lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
+#if BOUNDED
+    }
+    {
+        const S _p_ball_radius = lanes_narrow(p_ball_radius);
+        const S _p_ring_radius = lanes_narrow(p_ring_radius);
+        const S _p_wire_radius = lanes_narrow(p_wire_radius);
+        const S _p_gravity = lanes_narrow(p_gravity);
+        const S _p_board_distance = lanes_narrow(p_board_distance);
+        const S _p_board_half_width = lanes_narrow(p_board_half_width);
+        const S _p_board_bottom = lanes_narrow(p_board_bottom);
+        const S _p_board_top = lanes_narrow(p_board_top);
+        const S _p_board_thickness = lanes_narrow(p_board_thickness);
+        const S _p_bridge_half_width = lanes_narrow(p_bridge_half_width);
+        const S _p_bridge_depth = lanes_narrow(p_bridge_depth);
+        const S _p_inertia = lanes_narrow(p_inertia);
+        const S _p_tangential_restitution = lanes_narrow(p_tangential_restitution);
+        const S _p_restitution_speed = lanes_narrow(p_restitution_speed);
+        const S _s6 = singles_add(_p_ball_radius, _p_wire_radius);
+        const S _s58 = singles_div(KS(1.0), _s6);
+        const S _s60 = singles_sub(singles_sub(_p_ring_radius, _p_ball_radius), _p_wire_radius);
+        const S _s61 = singles_min(_s60, _s6);
+        const S _s69 = singles_mul(KS(2.0), singles_mul(_p_ring_radius, _s58));
+        const S _s82 = singles_div(KS(1.0), _p_ball_radius);
+        const S _s83 = singles_add(_p_board_distance, _p_board_thickness);
+        const S _s91 = singles_abs(_p_board_bottom);
+        const S _s93 = singles_abs(_p_board_top);
+        const S _s95 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_add(singles_add(singles_mul(KS(2.0), _p_board_distance), singles_mul(KS(2.0), _p_board_half_width)), _p_board_thickness), _s91), _s93));
+        const S _s135 = singles_div(singles_mul(_p_inertia, singles_add(KS(1.0), _p_tangential_restitution)), singles_add(KS(1.0), _p_inertia));
+        FIX_SINGLE(0, _p_gravity); FIX_SINGLE(10, _s6); FIX_SINGLE(19, _p_ring_radius);
+        FIX_SINGLE(20, singles_mul(KS(0.5), _p_gravity)); FIX_SINGLE(26, _s58);
+        FIX_SINGLE(27, _s61); FIX_SINGLE(28, singles_div(KS(1.0), _s61));
+        FIX_SINGLE(29, singles_mul(singles_sqrt(_p_gravity), singles_sqrt(_s6)));
+        FIX_SINGLE(30, singles_mul(KS(1.1102230246251565e-16), singles_add(KS(16.0), _s69)));
+        FIX_SINGLE(31, singles_mul(KS(3.5), _s6));
+        FIX_SINGLE(32, singles_mul(KS(1.1102230246251565e-16), singles_add(KS(7.0), _s69)));
+        FIX_SINGLE(33, _p_ball_radius); FIX_SINGLE(34, _p_board_distance);
+        FIX_SINGLE(35, _p_board_half_width); FIX_SINGLE(36, _p_board_bottom);
+        FIX_SINGLE(37, _p_board_top); FIX_SINGLE(38, _s82); FIX_SINGLE(39, _s83);
+        FIX_SINGLE(40, singles_neg(_p_board_half_width));
+        FIX_SINGLE(41, singles_neg(_p_board_distance)); FIX_SINGLE(42, singles_neg(_s83));
+        FIX_SINGLE(43, _s95);
+        FIX_SINGLE(44, singles_add(singles_mul(KS(3.3306690738754696e-16), _p_board_distance), singles_mul(KS(2.220446049250313e-16), _p_board_thickness)));
+        FIX_SINGLE(45, singles_mul(KS(3.3306690738754696e-16), _p_board_half_width));
+        FIX_SINGLE(46, singles_add(singles_mul(KS(2.220446049250313e-16), _s91), singles_mul(KS(2.220446049250313e-16), _s93)));
+        FIX_SINGLE(47, singles_mul(KS(8.881784197001252e-16), _p_ball_radius));
+        FIX_SINGLE(48, singles_mul(KS(2.0), _s82)); FIX_SINGLE(49, _p_wire_radius);
+        FIX_SINGLE(50, _p_bridge_half_width);
+        FIX_SINGLE(51, singles_sub(_p_wire_radius, _p_bridge_depth));
+        FIX_SINGLE(52, singles_neg(_p_bridge_half_width));
+        FIX_SINGLE(53, singles_neg(_p_ring_radius));
+        FIX_SINGLE(54, singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_add(singles_add(_p_ring_radius, _p_wire_radius), _p_board_distance), singles_mul(KS(2.0), _p_bridge_half_width)), singles_abs(singles_sub(_p_bridge_depth, _p_wire_radius)))));
+        FIX_SINGLE(55, singles_add(singles_mul(KS(1.1102230246251565e-16), _p_ring_radius), singles_mul(KS(1.1102230246251565e-16), _p_board_distance)));
+        FIX_SINGLE(56, singles_mul(KS(3.3306690738754696e-16), _p_bridge_half_width));
+        FIX_SINGLE(57, singles_add(singles_mul(KS(5.551115123125783e-16), _p_wire_radius), singles_mul(KS(2.220446049250313e-16), _p_bridge_depth)));
+        FIX_SINGLE(58, _p_restitution_speed); FIX_SINGLE(59, _s135);
+        FIX_SINGLE(60, singles_abs(KS(0.0)));
+        FIX_SINGLE(61, singles_div(KS(1.0), _p_restitution_speed));
+        FIX_SINGLE(62, singles_mul(KS(32.0), _s135)); FIX_SINGLE(63, singles_neg(_p_ball_radius));
+        FIX_SINGLE(64, singles_div(KS(1.0), singles_mul(_p_ball_radius, _p_inertia)));
+        FIX_SINGLE(65, singles_add(KS(1.0), singles_div(KS(1.0), _p_inertia)));
+#endif
     }
 }
 
@@ -2917,12 +3139,12 @@ LANES_APART void LOOP(fix_slow_rows_1)(LOOP(worklist) *worklist, size_t i)
     EACH(PARAMETER, slow_, p_ring_radius, p_ring_restitution, p_wire_radius)
     {
         const V _s219 = lanes_mul(p_inertia, lanes_div(K(1.0), lanes_add(K(1.0), p_inertia)));
-        const V _s360 = lanes_sub(K(1.0), p_ring_restitution);
-        const V _s362 = lanes_add(K(1.0), p_ring_restitution);
-        const V _s369 = lanes_sub(K(1.0), p_backboard_restitution);
-        const V _s371 = lanes_add(K(1.0), p_backboard_restitution);
-        const V _s376 = lanes_sub(K(1.0), p_bridge_restitution);
-        const V _s378 = lanes_add(K(1.0), p_bridge_restitution);
+        const V _s361 = lanes_sub(K(1.0), p_ring_restitution);
+        const V _s363 = lanes_add(K(1.0), p_ring_restitution);
+        const V _s370 = lanes_sub(K(1.0), p_backboard_restitution);
+        const V _s372 = lanes_add(K(1.0), p_backboard_restitution);
+        const V _s377 = lanes_sub(K(1.0), p_bridge_restitution);
+        const V _s379 = lanes_add(K(1.0), p_bridge_restitution);
         FIX(6, p_ball_radius); FIX(7, p_ring_radius); FIX(8, p_wire_radius);
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(13, p_bridge_half_width);
@@ -2934,16 +3156,16 @@ LANES_APART void LOOP(fix_slow_rows_1)(LOOP(worklist) *worklist, size_t i)
         FIX(111, lanes_mul(K(3.637978807091713e-12), p_ball_radius));
         FIX(159, lanes_mul(K(3.0), p_gravity));
         FIX(160, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
-        FIX(170, lanes_mul(K(7.275957614183426e-12), p_ball_radius)); FIX(172, p_ring_restitution);
-        FIX(173, _s360); FIX(174, lanes_mul(_s360, _s360));
-        FIX(175, lanes_mul(p_ring_friction, _s362)); FIX(176, lanes_mul(_s362, _s360));
-        FIX(177, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        FIX(178, lanes_mul(_s219, _s360)); FIX(179, p_backboard_restitution); FIX(180, _s369);
-        FIX(181, lanes_mul(_s369, _s369)); FIX(182, lanes_mul(p_backboard_friction, _s371));
-        FIX(183, lanes_mul(_s371, _s369)); FIX(184, lanes_mul(_s219, _s369));
-        FIX(185, p_bridge_restitution); FIX(186, _s376); FIX(187, lanes_mul(_s376, _s376));
-        FIX(188, lanes_mul(p_bridge_friction, _s378)); FIX(189, lanes_mul(_s378, _s376));
-        FIX(190, lanes_mul(_s219, _s376));
+        FIX(171, lanes_mul(K(7.275957614183426e-12), p_ball_radius)); FIX(173, p_ring_restitution);
+        FIX(174, _s361); FIX(175, lanes_mul(_s361, _s361));
+        FIX(176, lanes_mul(p_ring_friction, _s363)); FIX(177, lanes_mul(_s363, _s361));
+        FIX(178, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
+        FIX(179, lanes_mul(_s219, _s361)); FIX(180, p_backboard_restitution); FIX(181, _s370);
+        FIX(182, lanes_mul(_s370, _s370)); FIX(183, lanes_mul(p_backboard_friction, _s372));
+        FIX(184, lanes_mul(_s372, _s370)); FIX(185, lanes_mul(_s219, _s370));
+        FIX(186, p_bridge_restitution); FIX(187, _s377); FIX(188, lanes_mul(_s377, _s377));
+        FIX(189, lanes_mul(p_bridge_friction, _s379)); FIX(190, lanes_mul(_s379, _s377));
+        FIX(191, lanes_mul(_s219, _s377));
     }
 }
 
@@ -2954,7 +3176,11 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
         if (LANES_SELDOM(varying))
             LOOP(fix_slow_rows_1)(worklist, i);
         EACH(LOAD, slow_, held, mode, outcome, slip_left, vx, vy, vz, which, wx, wy, wz, x, y, z)
-        BOUNDS(EACH(LOAD, slow_, assured, uncertain, velocity_error))
+#if BOUNDED
+        EACH(LOAD, slow_, assured, uncertain, velocity_error)
+        CALL(court_estimates, _estimates_1)();
+        EACH(GET, _estimates_1, estimated)
+#endif
         CALL(court_ring_normal, _ring_normal_1)(x, y, z, FIXED(7), FIXED(107));
         EACH(GET, _ring_normal_1, nx, ny, nz)
         CALL(court_here, _here_1)(K(1.0), which);
@@ -3017,7 +3243,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(STORE, slow_, x, y, z)
             BOUNDS(EACH(STORE, slow_, dx, dy, dz))
         }
-        CALL(court_nearly, _nearly_1)(nx, ny, nz, vx, vy, vz, FIXED(6), FIXED(21), FIXED(170));
+        CALL(court_nearly, _nearly_1)(nx, ny, nz, vx, vy, vz, FIXED(6), FIXED(21), FIXED(171));
         EACH(GET_MASK, _nearly_1, nearly)
         CALL(court_gripped, _gripped_1)(nx, ny, nz, vx, vy, vz, wx, wy, wz, FIXED(6), FIXED(109));
         EACH(GET, _gripped_1, rolled_x, rolled_y, rolled_z, slip, bounce)
@@ -3046,7 +3272,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(SET, _near_end_plane_1, nearest)
             CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(159), FIXED(160));
             EACH(GET, _ring_separation_1, lift, gap_jerk)
-            CALL(court_ring_impact_settling, _ring_impact_settling_1)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(172), FIXED(173), FIXED(174), FIXED(175), FIXED(176), FIXED(109), FIXED(111), FIXED(177), FIXED(178));
+            CALL(court_ring_impact_settling, _ring_impact_settling_1)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(173), FIXED(174), FIXED(175), FIXED(176), FIXED(177), FIXED(109), FIXED(111), FIXED(178), FIXED(179));
             EACH(GET_MASK, _ring_impact_settling_1, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_7, _ring_impact_settling_1), assured))
             EACH(GET_MASK, _ring_impact_settling_1, undecided)
@@ -3079,7 +3305,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(SET, _near_end_plane_2, nearest)
             CALL(court_backboard_separation, _backboard_separation_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(21), FIXED(15), FIXED(23));
             EACH(GET, _backboard_separation_1, lift, gap_jerk)
-            CALL(court_ring_impact_settling, _ring_impact_settling_2)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(179), FIXED(180), FIXED(181), FIXED(182), FIXED(183), FIXED(109), FIXED(111), FIXED(177), FIXED(184));
+            CALL(court_ring_impact_settling, _ring_impact_settling_2)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(180), FIXED(181), FIXED(182), FIXED(183), FIXED(184), FIXED(109), FIXED(111), FIXED(178), FIXED(185));
             EACH(GET_MASK, _ring_impact_settling_2, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_8, _ring_impact_settling_2), assured))
             EACH(GET_MASK, _ring_impact_settling_2, undecided)
@@ -3112,7 +3338,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(SET, _near_end_plane_3, nearest)
             CALL(court_bridge_separation, _bridge_separation_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(21), FIXED(7), FIXED(8), FIXED(16), FIXED(23));
             EACH(GET, _bridge_separation_1, lift, gap_jerk)
-            CALL(court_ring_impact_settling, _ring_impact_settling_3)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(185), FIXED(186), FIXED(187), FIXED(188), FIXED(189), FIXED(109), FIXED(111), FIXED(177), FIXED(190));
+            CALL(court_ring_impact_settling, _ring_impact_settling_3)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(186), FIXED(187), FIXED(188), FIXED(189), FIXED(190), FIXED(109), FIXED(111), FIXED(178), FIXED(191));
             EACH(GET_MASK, _ring_impact_settling_3, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_9, _ring_impact_settling_3), assured))
             EACH(GET_MASK, _ring_impact_settling_3, undecided)
@@ -3122,7 +3348,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
         }
         EACH(STORE, slow_, held, mode, outcome, slip_left)
 #if BOUNDED
-        EACH(STORE, slow_, assured, uncertain)
+        EACH(STORE, slow_, assured, estimated, uncertain)
     }
 }
 
@@ -3131,6 +3357,10 @@ LANES_APART void LOOP(fix_rows_9)(LOOP(worklist) *worklist, size_t i)
     EACH(PARAMETER, , p_gravity)
     {
         FIX(21, p_gravity); FIX(80, lanes_abs(K(0.0)));
+    }
+    {
+        const S _p_gravity = lanes_narrow(p_gravity);
+        FIX_SINGLE(0, _p_gravity); FIX_SINGLE(20, singles_mul(KS(0.5), _p_gravity));
 #endif
     }
 }
@@ -3150,6 +3380,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
 
 #if BOUNDED
     const V assured = K(0.0);
+    const S clock_bound = KS(0.0);
     const V clock_error = K(0.0);
 #endif
     const V count_0 = K(0.0);
@@ -3168,6 +3399,8 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
     const V dx = K(0.0);
     const V dy = K(0.0);
     const V dz = K(0.0);
+    const V estimated = K(0.0);
+    EACH(TURNING, , estimated)
 #endif
     const V first = K(-1.0);
     EACH(TURNING, , first)
@@ -3177,10 +3410,17 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
 #endif
     const V last = K(-1.0);
     const M permitted = lanes_less(K(0.0), lanes_load(worklist->permitted));
+#if BOUNDED
+    const S position_bound = KS(0.0);
+#endif
     const V rolls = K(0.0);
     EACH(TURNING, , rolls)
     const V slip_left = K(0.0);
     EACH(TURNING, , slip_left)
+#if BOUNDED
+    const S spin_bound = KS(0.0);
+    const S velocity_bound = KS(0.0);
+#endif
     for (; start + LANES_WIDTH <= past; start += LANES_WIDTH) {
         LANES(court_ahead)(job, start + LANES_SHOTS, 1);
         const double *states = job->states + COURT_STATE * start;
@@ -3223,9 +3463,9 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         BOUNDS(EACH(SET, _passing_start_1, uncertain))
         refused = lanes_either(refused, lanes_at_most(K(0.0), outcome));
 #if BOUNDED
-        CALL(court_error_bounds, _error_bounds_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+        CALL(court_error_bounds, _error_bounds_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, lanes_wide(position_bound), lanes_wide(velocity_bound), lanes_wide(spin_bound), estimated, lanes_wide(clock_bound));
 #else
-        CALL(court_error_bounds, _error_bounds_1)(K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0));
+        CALL(court_error_bounds, _error_bounds_1)(K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0));
 #endif
         EACH(GET, _error_bounds_1, time_error)
         BOUNDS(EACH(GET, _error_bounds_1, position_error, velocity_error))
@@ -3280,9 +3520,9 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         CALL(court_missed, _missed_1)();
         EACH(GET, _missed_1, clear)
 #if BOUNDED
-        CALL(court_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(position_error), lanes_narrow(velocity_error), FIXED_SINGLE(0), FIXED_SINGLE(26), FIXED_SINGLE(3), FIXED_SINGLE(27), FIXED_SINGLE(20), FIXED_SINGLE(28), FIXED_SINGLE(29), FIXED_SINGLE(30), FIXED_SINGLE(31), FIXED_SINGLE(32));
+        CALL(court_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(position_error), lanes_narrow(velocity_error), FIXED_SINGLE(0), FIXED_SINGLE(66), FIXED_SINGLE(3), FIXED_SINGLE(67), FIXED_SINGLE(20), FIXED_SINGLE(68), FIXED_SINGLE(69), FIXED_SINGLE(70), FIXED_SINGLE(71), FIXED_SINGLE(72));
 #else
-        CALL(court_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), KS(0.0), KS(0.0), FIXED_SINGLE(0), FIXED_SINGLE(26), FIXED_SINGLE(3), FIXED_SINGLE(27), FIXED_SINGLE(20), FIXED_SINGLE(28), FIXED_SINGLE(29), FIXED_SINGLE(30), FIXED_SINGLE(31), FIXED_SINGLE(32));
+        CALL(court_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), KS(0.0), KS(0.0), FIXED_SINGLE(0), FIXED_SINGLE(66), FIXED_SINGLE(3), FIXED_SINGLE(67), FIXED_SINGLE(20), FIXED_SINGLE(68), FIXED_SINGLE(69), FIXED_SINGLE(70), FIXED_SINGLE(71), FIXED_SINGLE(72));
 #endif
         EACH(GET_MASK, _ring_drops_through_1, unproved)
         const M _if_unproved_1 = unproved;
@@ -3417,7 +3657,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         EACH(GET, _closing_1, position_claim, velocity_claim, spin_claim, time_claim)
         const M _if_reports_1 = reports;
         if (lanes_any(_if_reports_1)) {
-            CALL(court_claimed_errors, _claimed_errors_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+            CALL(court_claimed_errors, _claimed_errors_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, lanes_wide(position_bound), lanes_wide(velocity_bound), lanes_wide(spin_bound), estimated, lanes_wide(clock_bound));
             position_claim = lanes_select(_if_reports_1, _claimed_errors_1.position_error, position_claim);
             velocity_claim = lanes_select(_if_reports_1, _claimed_errors_1.velocity_error, velocity_claim);
             spin_claim = lanes_select(_if_reports_1, _claimed_errors_1.spin_error, spin_claim);
@@ -3542,10 +3782,11 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 LOOP(fix_rows_2)(worklist, i);
             EACH(LOAD, , last, mode, vx, vy, vz, x, y, z)
 #if BOUNDED
-            EACH(LOAD, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz)
-            CALL(court_error_bounds, _error_bounds_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+            EACH(LOAD_SINGLE, , clock_bound, position_bound, spin_bound, velocity_bound)
+            EACH(LOAD, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, estimated)
+            CALL(court_error_bounds, _error_bounds_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, lanes_wide(position_bound), lanes_wide(velocity_bound), lanes_wide(spin_bound), estimated, lanes_wide(clock_bound));
 #else
-            CALL(court_error_bounds, _error_bounds_1)(K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0));
+            CALL(court_error_bounds, _error_bounds_1)(K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0));
 #endif
             EACH(GET, _error_bounds_1, time_error)
             BOUNDS(EACH(GET, _error_bounds_1, position_error, velocity_error))
@@ -4987,19 +5228,17 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             }
             const M packed = lanes_both(rows, in_contact);
             if (lanes_any(packed)) {
+#if !BOUNDED
                 EACH(LOAD, , circled, clock, held, last, mode, through, vx, vy, vz, when, wx, wy)
                 EACH(LOAD, , wz, x, y, z)
                 EACH(LOAD_MASK, , rests)
-                BOUNDS(EACH(LOAD, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, grip_lost))
-                BOUNDS(EACH(LOAD, , last_grip_clock, last_grip_deficit, last_grip_deficit_rate))
-                BOUNDS(EACH(LOAD, , position_error, velocity_error))
+#endif
                 lanes_pack(worklist->in_contact_row + in_contact_shots, packed, lanes_add(iota(), K((double)i)));
+#if !BOUNDED
                 EACH(PACK, in_contact_, circled, clock, held, last, mode, through, vx, vy, vz, when)
                 EACH(PACK, in_contact_, wx, wy, wz, x, y, z)
                 EACH(PACK_MASK, in_contact_, rests)
-                BOUNDS(EACH(PACK, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-                BOUNDS(EACH(PACK, in_contact_, grip_lost, last_grip_clock, last_grip_deficit))
-                BOUNDS(EACH(PACK, in_contact_, last_grip_deficit_rate, position_error, velocity_error))
+#endif
                 if (LANES_SELDOM(varying)) {
 #if BOUNDED
                     for (size_t _p = 0; _p < 16; _p++) {
@@ -5016,8 +5255,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(CLEAR, in_contact_, row, circled, clock, held, last, mode, rests, through, vx, vy)
             EACH(CLEAR, in_contact_, vz, when, wx, wy, wz, x, y, z)
             BOUNDS(EACH(CLEAR, in_contact_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
-            BOUNDS(EACH(CLEAR, in_contact_, grip_lost, last_grip_clock, last_grip_deficit))
+            BOUNDS(EACH(CLEAR, in_contact_, estimated, grip_lost, last_grip_clock, last_grip_deficit))
             BOUNDS(EACH(CLEAR, in_contact_, last_grip_deficit_rate, position_error, velocity_error))
+            BOUNDS(EACH(CLEAR_SINGLE, in_contact_, clock_bound, position_bound, spin_bound, velocity_bound))
             if (LANES_SELDOM(varying)) {
 #if BOUNDED
                 for (size_t _p = 0; _p < 16; _p++) {
@@ -5027,6 +5267,18 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     lanes_store(worklist->in_contact_parameters.columns[in_contact_taken[_p]] + in_contact_shots, K(0.0));
                 }
             }
+#if BOUNDED
+        }
+        for (size_t row = 0; row < in_contact_shots; row++) {
+            const size_t k = (size_t)worklist->in_contact_row[row];
+            EACH(RETURN, (in_contact_, ), circled, clock, clock_bound, clock_error, dvx, dvy, dvz)
+            EACH(RETURN, (in_contact_, ), dwx, dwy, dwz, dx, dy, dz, estimated, grip_lost, held)
+            EACH(RETURN, (in_contact_, ), last, last_grip_clock, last_grip_deficit)
+            EACH(RETURN, (in_contact_, ), last_grip_deficit_rate, mode, position_bound)
+            EACH(RETURN, (in_contact_, ), position_error, rests, spin_bound, through)
+            EACH(RETURN, (in_contact_, ), velocity_bound, velocity_error, vx, vy, vz, when, wx, wy)
+            EACH(RETURN, (in_contact_, ), wz, x, y, z)
+#endif
         }
         if (in_contact_shots)
             LOOP(in_contact)(worklist, in_contact_shots, varying, time_limit);
@@ -5155,7 +5407,11 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             const M _if_meeting_1 = lanes_both(rows, meeting);
             if (lanes_any(_if_meeting_1)) {
                 EACH(LOAD, , count_0, count_1, count_2, first)
-                BOUNDS(EACH(LOAD, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
+                BOUNDS(EACH(LOAD_SINGLE, , clock_bound, frame_nx, frame_ny, frame_nz, left_bend_e))
+                BOUNDS(EACH(LOAD_SINGLE, , left_bend_s, left_ex, left_ey, pace_e, pace_n, pace_s, place_e))
+                BOUNDS(EACH(LOAD_SINGLE, , place_n, place_s, position_bound, spin_bound, turn_n, turn_z))
+                BOUNDS(EACH(LOAD_SINGLE, , velocity_bound))
+                BOUNDS(EACH(LOAD, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, estimated))
                 CALL(court_end_normal, _end_normal_1)();
                 EACH(GET, _end_normal_1, nx, ny, nz)
                 CALL(court_here, _here_2)(K(0.0), which);
@@ -5244,26 +5500,79 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 }
                 CALL(court_no_normal_error, _no_normal_error_1)();
                 EACH(GET, _no_normal_error_1, dnx, dny, dnz, turn)
+                CALL(court_normal_velocity, _normal_velocity_1)(vx, vy, vz, nx, ny, nz);
+                EACH(GET, _normal_velocity_1, normal_velocity)
+                CALL(court_came_back, _came_back_1)(last, which);
+                EACH(GET, _came_back_1, back)
+                CALL(court_end_tangents, _end_tangents_1)(lanes_narrow(when), lanes_narrow(z), lanes_narrow(vz), FIXED_SINGLE(20));
+                EACH(GET_SINGLE, _end_tangents_1, tangent_x, tangent_y, bend_s, bend_e)
+                EACH(GET_SINGLE, _end_tangents_1, sharpest_bend, root_offset, root_level)
+                EACH(GET_SINGLE, _end_tangents_1, normal_rounding)
                 CALL(court_here, _here_5)(K(0.0), which);
                 EACH(SET, _here_5, here)
                 const M _if_here_5 = lanes_both(_if_meeting_1, here);
                 if (lanes_any(_if_here_5)) {
-                    CALL(court_ring_carry_normal, _ring_carry_normal_1)(x, y, dx, dy, dz, shift, FIXED(7), FIXED(107), FIXED(165));
-                    EACH(SELECT, (_if_here_5, _ring_carry_normal_1), dnx, dny, dnz, turn)
+                    CALL(court_ring_tangents, _ring_tangents_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), place_n, lanes_narrow(normal_velocity), lanes_narrow(back), FIXED_SINGLE(0), FIXED_SINGLE(10), FIXED_SINGLE(26), FIXED_SINGLE(27), FIXED_SINGLE(28), FIXED_SINGLE(29), FIXED_SINGLE(20), FIXED_SINGLE(30), FIXED_SINGLE(31), FIXED_SINGLE(32));
+                    EACH(SELECT_SINGLE, (_if_here_5, _ring_tangents_1), tangent_x, tangent_y)
+                    EACH(SELECT_SINGLE, (_if_here_5, _ring_tangents_1), bend_s, bend_e)
+                    EACH(SELECT_SINGLE, (_if_here_5, _ring_tangents_1), sharpest_bend, root_offset)
+                    EACH(SELECT_SINGLE, (_if_here_5, _ring_tangents_1), root_level, normal_rounding)
                 }
                 CALL(court_here, _here_6)(K(1.0), which);
                 EACH(SET, _here_6, here)
                 const M _if_here_6 = lanes_both(_if_meeting_1, here);
                 if (lanes_any(_if_here_6)) {
-                    CALL(court_backboard_carry_normal, _backboard_carry_normal_1)(x, y, z, dx, dy, dz, shift, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108), FIXED(110));
-                    EACH(SELECT, (_if_here_6, _backboard_carry_normal_1), dnx, dny, dnz, turn)
+                    CALL(court_backboard_tangents, _backboard_tangents_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), place_n, lanes_narrow(normal_velocity), lanes_narrow(back), FIXED_SINGLE(33), FIXED_SINGLE(34), FIXED_SINGLE(35), FIXED_SINGLE(36), FIXED_SINGLE(37), FIXED_SINGLE(0), FIXED_SINGLE(38), FIXED_SINGLE(39), FIXED_SINGLE(40), FIXED_SINGLE(41), FIXED_SINGLE(42), FIXED_SINGLE(43), FIXED_SINGLE(44), FIXED_SINGLE(45), FIXED_SINGLE(20), FIXED_SINGLE(46), FIXED_SINGLE(47), FIXED_SINGLE(48));
+                    EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), tangent_x, tangent_y)
+                    EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), bend_s, bend_e)
+                    EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), sharpest_bend)
+                    EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), root_offset)
+                    EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), root_level)
+                    EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), normal_rounding)
                 }
                 CALL(court_here, _here_7)(K(2.0), which);
                 EACH(SET, _here_7, here)
                 const M _if_here_7 = lanes_both(_if_meeting_1, here);
                 if (lanes_any(_if_here_7)) {
+                    CALL(court_bridge_tangents, _bridge_tangents_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), place_n, lanes_narrow(normal_velocity), lanes_narrow(back), FIXED_SINGLE(33), FIXED_SINGLE(19), FIXED_SINGLE(49), FIXED_SINGLE(34), FIXED_SINGLE(50), FIXED_SINGLE(0), FIXED_SINGLE(51), FIXED_SINGLE(38), FIXED_SINGLE(52), FIXED_SINGLE(53), FIXED_SINGLE(41), FIXED_SINGLE(54), FIXED_SINGLE(55), FIXED_SINGLE(56), FIXED_SINGLE(20), FIXED_SINGLE(57), FIXED_SINGLE(47), FIXED_SINGLE(48));
+                    EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), tangent_x, tangent_y)
+                    EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), bend_s, bend_e)
+                    EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), sharpest_bend)
+                    EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), root_offset, root_level)
+                    EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), normal_rounding)
+                }
+                CALL(court_proving, _proving_1)(ends, touches, estimated);
+                EACH(GET_MASK, _proving_1, proving, proves_end)
+                const M _if_proves_end_1 = lanes_both(_if_meeting_1, proves_end);
+                if (lanes_any(_if_proves_end_1)) {
+                    CALL(court_bound_end, _bound_end_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(clock), position_bound, velocity_bound, spin_bound, root_offset, lanes_narrow(normal_velocity), FIXED_SINGLE(0), FIXED_SINGLE(20));
+                    EACH(SELECT_SINGLE, (_if_proves_end_1, _bound_end_1), position_bound)
+                    EACH(SELECT_SINGLE, (_if_proves_end_1, _bound_end_1), velocity_bound)
+                    EACH(SELECT_SINGLE, (_if_proves_end_1, _bound_end_1), spin_bound)
+                    S proved_delay = _bound_end_1.delay;
+                    CALL(court_clock_bound_sum, _clock_bound_sum_1)(proved_delay, clock_bound);
+                    EACH(SELECT_SINGLE, (_if_proves_end_1, _clock_bound_sum_1), clock_bound)
+                }
+                CALL(court_here, _here_8)(K(0.0), which);
+                EACH(SET, _here_8, here)
+                const M _if_here_8 = lanes_both(_if_meeting_1, here);
+                if (lanes_any(_if_here_8)) {
+                    CALL(court_ring_carry_normal, _ring_carry_normal_1)(x, y, dx, dy, dz, shift, FIXED(7), FIXED(107), FIXED(165));
+                    EACH(SELECT, (_if_here_8, _ring_carry_normal_1), dnx, dny, dnz, turn)
+                }
+                CALL(court_here, _here_9)(K(1.0), which);
+                EACH(SET, _here_9, here)
+                const M _if_here_9 = lanes_both(_if_meeting_1, here);
+                if (lanes_any(_if_here_9)) {
+                    CALL(court_backboard_carry_normal, _backboard_carry_normal_1)(x, y, z, dx, dy, dz, shift, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108), FIXED(110));
+                    EACH(SELECT, (_if_here_9, _backboard_carry_normal_1), dnx, dny, dnz, turn)
+                }
+                CALL(court_here, _here_10)(K(2.0), which);
+                EACH(SET, _here_10, here)
+                const M _if_here_10 = lanes_both(_if_meeting_1, here);
+                if (lanes_any(_if_here_10)) {
                     CALL(court_bridge_carry_normal, _bridge_carry_normal_1)(x, y, z, dx, dy, dz, shift, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108), FIXED(110));
-                    EACH(SELECT, (_if_here_7, _bridge_carry_normal_1), dnx, dny, dnz, turn)
+                    EACH(SELECT, (_if_here_10, _bridge_carry_normal_1), dnx, dny, dnz, turn)
                 }
 #endif
                 CALL(court_other_kind, _other_kind_1)();
@@ -5287,10 +5596,10 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                         const V own_2 = lanes_load(worklist->parameters.columns[_t1[_k1][1]] + (i & varying));
                         const V own_index = K(_t2[_k1][0]);
 #if BOUNDED
-                        CALL(court_here, _here_8)(own_index, which);
-                        EACH(GET_MASK, _here_8, here)
-                        const M _if_here_8 = lanes_both(_if_meeting_1, here);
-                        if (lanes_any(_if_here_8)) {
+                        CALL(court_here, _here_11)(own_index, which);
+                        EACH(GET_MASK, _here_11, here)
+                        const M _if_here_11 = lanes_both(_if_meeting_1, here);
+                        if (lanes_any(_if_here_11)) {
 #else
                         CALL(court_here, _here_5)(own_index, which);
                         EACH(GET_MASK, _here_5, here)
@@ -5299,9 +5608,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #endif
                             CALL(court_ring_impact_taken, _ring_impact_taken_2)(own_2, own_1);
 #if BOUNDED
-                            struck_0 = lanes_choose(_if_here_8, _ring_impact_taken_2.of_this_kind, struck_0);
-                            its_0_ring_impact = lanes_select(_if_here_8, _ring_impact_taken_2.its_0, its_0_ring_impact);
-                            its_1_ring_impact = lanes_select(_if_here_8, _ring_impact_taken_2.its_1, its_1_ring_impact);
+                            struck_0 = lanes_choose(_if_here_11, _ring_impact_taken_2.of_this_kind, struck_0);
+                            its_0_ring_impact = lanes_select(_if_here_11, _ring_impact_taken_2.its_0, its_0_ring_impact);
+                            its_1_ring_impact = lanes_select(_if_here_11, _ring_impact_taken_2.its_1, its_1_ring_impact);
 #else
                             struck_0 = lanes_choose(_if_here_5, _ring_impact_taken_2.of_this_kind, struck_0);
                             its_0_ring_impact = lanes_select(_if_here_5, _ring_impact_taken_2.its_0, its_0_ring_impact);
@@ -5313,6 +5622,29 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 const M _if_struck_0_1 = lanes_both(_if_meeting_1, struck_0);
                 if (lanes_any(_if_struck_0_1)) {
 #if BOUNDED
+                    const M _if_proving_1 = lanes_both(_if_struck_0_1, proving);
+                    if (LANES_USUAL(_if_proving_1)) {
+                        CALL(court_ring_impact_slip, _ring_impact_slip_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167), FIXED(168));
+                        EACH(GET, _ring_impact_slip_1, slip_share, slip_margin, slip_speed, slip_x)
+                        EACH(GET, _ring_impact_slip_1, slip_y, slip_z)
+                        CALL(court_bound_ring_impact, _bound_ring_impact_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(wx), lanes_narrow(wy), lanes_narrow(wz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(clock), frame_nx, frame_ny, frame_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, lanes_narrow(normal_velocity), lanes_narrow(back), lanes_narrow(slip_share), lanes_narrow(slip_margin), lanes_narrow(slip_speed), lanes_narrow(slip_x), lanes_narrow(slip_y), lanes_narrow(slip_z), lanes_narrow(its_0_ring_impact), lanes_narrow(its_1_ring_impact), FIXED_SINGLE(33), FIXED_SINGLE(0), FIXED_SINGLE(58), FIXED_SINGLE(20), FIXED_SINGLE(59), FIXED_SINGLE(60), FIXED_SINGLE(61), FIXED_SINGLE(62), FIXED_SINGLE(63), FIXED_SINGLE(38), FIXED_SINGLE(64), FIXED_SINGLE(65));
+                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), place_n, place_s)
+                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), place_e, pace_n)
+                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), pace_s, pace_e)
+                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), turn_n, turn_z)
+                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), position_bound)
+                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), velocity_bound)
+                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), spin_bound)
+                        frame_nx = singles_select(singles_of(_if_proving_1), _bound_ring_impact_1.left_nx, frame_nx);
+                        frame_ny = singles_select(singles_of(_if_proving_1), _bound_ring_impact_1.left_ny, frame_ny);
+                        frame_nz = singles_select(singles_of(_if_proving_1), _bound_ring_impact_1.left_nz, frame_nz);
+                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), left_ex, left_ey)
+                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), left_bend_s)
+                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), left_bend_e)
+                        S proved_delay = _bound_ring_impact_1.delay;
+                        CALL(court_clock_bound_sum, _clock_bound_sum_2)(proved_delay, clock_bound);
+                        EACH(SELECT_SINGLE, (_if_proving_1, _clock_bound_sum_2), clock_bound)
+                    }
                     CALL(court_ring_impact_undecided, _ring_impact_undecided_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167));
                     EACH(GET_MASK, _ring_impact_undecided_1, undecided)
                     CALL(court_undecided, _undecided_2)(uncertain, undecided);
@@ -5326,14 +5658,34 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 }
                 const M _if_touches_1 = lanes_both(_if_meeting_1, touches);
                 {
+#if BOUNDED
+                    CALL(court_doubt, _doubt_1)(vx, vy, vz, nx, ny, nz, lanes_wide(position_bound), lanes_wide(velocity_bound), lanes_wide(spin_bound), estimated, FIXED(170));
+                    EACH(SELECT, (_if_touches_1, _doubt_1), estimated)
+                }
+                const M _if_touches_2 = lanes_both(_if_meeting_1, touches);
+                {
+#endif
                     CALL(court_touched, _touched_1)(which, body, first);
+#if BOUNDED
+                    EACH(SELECT, (_if_touches_2, _touched_1), first, last)
+#else
                     EACH(SELECT, (_if_touches_1, _touched_1), first, last)
-                    CALL(court_leaves_slowly, _leaves_slowly_1)(nx, ny, nz, vx, vy, vz, OR_ZERO(position_error), FIXED(6), FIXED(21), FIXED(170), FIXED(171));
+#endif
+                    CALL(court_leaves_slowly, _leaves_slowly_1)(nx, ny, nz, vx, vy, vz, OR_ZERO(position_error), FIXED(6), FIXED(21), FIXED(171), FIXED(172));
+#if BOUNDED
+                    EACH(SELECT_MASK, (_if_touches_2, _leaves_slowly_1), slow)
+                    EACH(SELECT, (_if_touches_2, _leaves_slowly_1), assured)
+#else
                     EACH(SELECT_MASK, (_if_touches_1, _leaves_slowly_1), slow)
-                    BOUNDS(EACH(SELECT, (_if_touches_1, _leaves_slowly_1), assured))
+#endif
                 }
                 EACH(STORE, , count_0, count_1, count_2, first, wx, wy, wz)
                 BOUNDS(EACH(STORE, , assured, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
+                BOUNDS(EACH(STORE, , estimated))
+                BOUNDS(EACH(STORE_SINGLE, , clock_bound, frame_nx, frame_ny, frame_nz, left_bend_e))
+                BOUNDS(EACH(STORE_SINGLE, , left_bend_s, left_ex, left_ey, pace_e, pace_n, pace_s, place_e))
+                BOUNDS(EACH(STORE_SINGLE, , place_n, place_s, position_bound, spin_bound, turn_n, turn_z))
+                BOUNDS(EACH(STORE_SINGLE, , velocity_bound))
             }
             EACH(STORE, , clock, contacts, last, outcome, vx, vy, vz)
             BOUNDS(EACH(STORE, , uncertain))
@@ -5369,7 +5721,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
         for (size_t k = 0; k < slow_shots; k++) {
             const size_t row = (size_t)worklist->slow_row[k];
             EACH(RETURN, (, slow_), held, mode, outcome, slip_left, x, y, z)
-            BOUNDS(EACH(RETURN, (, slow_), assured, dx, dy, dz, uncertain))
+            BOUNDS(EACH(RETURN, (, slow_), assured, dx, dy, dz, estimated, uncertain))
         }
 #if BOUNDED
         }
@@ -5377,6 +5729,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             const M rows = mask_first_n(shots - i);
             if (LANES_SELDOM(varying))
                 LOOP(fix_rows_9)(worklist, i);
+            EACH(LOAD_SINGLE, , clock_bound, position_bound, spin_bound, velocity_bound)
             EACH(LOAD, , clock_error, dvx, dvy, dvz, dx, dy, dz, outcome)
             EACH(LOAD_MASK, , hopped, limited)
             const M _if_limited_1 = lanes_both(rows, limited);
@@ -5389,7 +5742,13 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     CALL(court_carry_time, _carry_time_1)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, FIXED(21), FIXED(80));
                     EACH(SELECT, (_if_ends_by_time_limit_1, _carry_time_1), dx, dy, dz, dvx, dvy)
                     EACH(SELECT, (_if_ends_by_time_limit_1, _carry_time_1), dvz, clock_error)
+                    CALL(court_bound_time, _bound_time_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(clock), position_bound, velocity_bound, spin_bound, clock_bound, FIXED_SINGLE(0), FIXED_SINGLE(20));
+                    EACH(SELECT_SINGLE, (_if_ends_by_time_limit_1, _bound_time_1), position_bound)
+                    EACH(SELECT_SINGLE, (_if_ends_by_time_limit_1, _bound_time_1), velocity_bound)
+                    EACH(SELECT_SINGLE, (_if_ends_by_time_limit_1, _bound_time_1), spin_bound)
+                    EACH(SELECT_SINGLE, (_if_ends_by_time_limit_1, _bound_time_1), clock_bound)
                 }
+                EACH(STORE_SINGLE, , clock_bound, position_bound, spin_bound, velocity_bound)
                 EACH(STORE, , clock_error, dvx, dvy, dvz)
             }
             const M _if_hopped_1 = lanes_both(rows, hopped);
@@ -5403,8 +5762,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(GET, _closing_1, position_claim, velocity_claim, spin_claim, time_claim)
             const M _if_reports_1 = lanes_both(rows, reports);
             if (lanes_any(_if_reports_1)) {
-                EACH(LOAD, , dwx, dwy, dwz)
-                CALL(court_claimed_errors, _claimed_errors_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                EACH(LOAD, , dwx, dwy, dwz, estimated)
+                CALL(court_claimed_errors, _claimed_errors_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, lanes_wide(position_bound), lanes_wide(velocity_bound), lanes_wide(spin_bound), estimated, lanes_wide(clock_bound));
                 position_claim = lanes_select(_if_reports_1, _claimed_errors_1.position_error, position_claim);
                 velocity_claim = lanes_select(_if_reports_1, _claimed_errors_1.velocity_error, velocity_claim);
                 spin_claim = lanes_select(_if_reports_1, _claimed_errors_1.spin_error, spin_claim);

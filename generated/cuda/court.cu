@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation cf814d7dac6b467f,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation ea060a301a126bc8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -187,6 +187,111 @@ static __device__ __forceinline__ kernel_displacement_out kernel_displacement(do
     return {(((1.0009765625 * delay) * _s0) + _s3) + (3.0029296875 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s1)))};
 }
 
+/* Velocity along the normal before the impact.
+   Table 2. 5 operations: 2 additions, 3 multiplications. */
+struct kernel_normal_velocity_out {
+    double normal_velocity;
+};
+
+static __device__ __forceinline__ kernel_normal_velocity_out kernel_normal_velocity(double vx, double vy, double vz, double nx, double ny, double nz)
+{
+    return {((nx * vx) + (ny * vy)) + (nz * vz)};
+}
+
+/* Bounds on the errors where a flight crosses the end plane.
+   Eq. 3, with roundings. 63 operations: 25 additions, 1 subtraction, 23 multiplications, 1 division, 8 absolute values, 1 comparison, 4 selections. */
+struct kernel_bound_end_out {
+    float position_bound, velocity_bound, spin_bound, delay;
+};
+
+static __device__ __forceinline__ kernel_bound_end_out kernel_bound_end(float t, float x, float y, float z, float vx, float vy, float vz, float clock, float position_bound, float velocity_bound, float spin_bound, float root_offset, float normal_velocity, float p_gravity)
+{
+    const float _s0 = fabsf(vx);
+    const float _s1 = ((float)2.0) * t;
+    const float _s2 = fabsf(vy);
+    const float _s3 = ((float)0.5) * p_gravity;
+    const float _s4 = ((_s3 * (t * t)) + (_s1 * fabsf((vz + (_s3 * t))))) + fabsf(z);
+    const float _s5 = ((((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s1 * _s0) + fabsf(x)))) + (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s1 * _s2) + fabsf(y))))) + (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s4));
+    const float _s6 = ((position_bound + root_offset) + (t * velocity_bound)) + _s5;
+    const float _s7 = fabsf(normal_velocity);
+    const float _s8 = (((float)1.1) * _s6) / _s7;
+    const float _s9 = fabsf(vz);
+    const float _s10 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((((p_gravity * t) + _s0) + _s2) + _s9));
+    const float _s11 = (p_gravity * _s8) + (velocity_bound + _s10);
+    const float _s12 = ((float)1.0009765625) * ((_s8 * (_s11 + ((_s0 + _s2) + _s9))) + _s6);
+    const bool _s13 = ((((float)12.0) * _s11) - _s7) <= ((float)0.0);
+    return {choose(_s13, _s12, ((float)INFINITE)), choose(_s13, (((float)1.0009765625) * _s11), ((float)INFINITE)), choose(_s13, (((float)1.0009765625) * spin_bound), ((float)INFINITE)), (((float)4.440892098500626e-16) * (t + clock)) + choose(_s13, (((float)1.0009765625) * _s8), ((float)INFINITE))};
+}
+
+/* Bounds on the errors at the time limit.
+   Eq. 3, with roundings. 51 operations: 24 additions, 20 multiplications, 7 absolute values. */
+struct kernel_bound_time_out {
+    float position_bound, velocity_bound, spin_bound, clock_bound;
+};
+
+static __device__ __forceinline__ kernel_bound_time_out kernel_bound_time(float t, float x, float y, float z, float vx, float vy, float vz, float clock, float position_bound, float velocity_bound, float spin_bound, float clock_bound, float p_gravity)
+{
+    const float _s0 = clock_bound + (((float)4.440892098500626e-16) * (t + clock));
+    const float _s1 = fabsf(vx);
+    const float _s2 = fabsf(vy);
+    const float _s3 = fabsf(vz);
+    const float _s4 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((((p_gravity * t) + _s1) + _s2) + _s3));
+    const float _s5 = (velocity_bound + (p_gravity * _s0)) + _s4;
+    const float _s6 = ((float)2.0) * t;
+    const float _s7 = ((float)0.5) * p_gravity;
+    const float _s8 = ((_s7 * (t * t)) + (_s6 * fabsf((vz + (_s7 * t))))) + fabsf(z);
+    const float _s9 = ((((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s6 * _s1) + fabsf(x)))) + (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s6 * _s2) + fabsf(y))))) + (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s8));
+    const float _s10 = ((position_bound + (t * velocity_bound)) + (_s0 * (_s5 + ((_s1 + _s2) + _s3)))) + _s9;
+    return {((float)1.0009765625) * _s10, ((float)1.0009765625) * _s5, ((float)1.0009765625) * spin_bound, (float)0.0};
+}
+
+/* Whether the bounds of a shot are estimated from a contact on.
+   comparison. 19 operations: 2 additions, 6 multiplications, 5 comparisons, 2 conjunctions, 2 disjunctions, 1 complement, 1 selection. */
+struct kernel_doubt_out {
+    double estimated;
+};
+
+static __device__ __forceinline__ kernel_doubt_out kernel_doubt(double vx, double vy, double vz, double nx, double ny, double nz, double position_bound, double velocity_bound, double spin_bound, double estimated, double p_ball_radius, double p_gravity)
+{
+    const double _s0 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const bool _s1 = ((0.0 < estimated) || (!(((position_bound <= 1.1641532182693481e-10) && (velocity_bound < (INFINITE))) && (spin_bound < (INFINITE))))) || ((_s0 * _s0) < (1.52587890625e-05 * (p_ball_radius * p_gravity)));
+    return {choose(_s1, 1.0, 0.0)};
+}
+
+/* Whether a contact, and an end, of a shot is met that is not estimated.
+   Table 1. 3 operations: 1 comparison, 2 conjunctions. */
+struct kernel_proving_out {
+    bool proving, proves_end;
+};
+
+static __device__ __forceinline__ kernel_proving_out kernel_proving(bool ends, bool touches, double estimated)
+{
+    const bool _s0 = estimated <= 0.0;
+    return {touches && _s0, ends && _s0};
+}
+
+/* A ball that may begin to roll is estimated from then on.
+   Table 1. No operations. */
+struct kernel_estimates_out {
+    double estimated;
+};
+
+static __device__ __forceinline__ kernel_estimates_out kernel_estimates()
+{
+    return {1.0};
+}
+
+/* Sum of the proved bounds on the delays of contacts.
+   Table 1. 1 operation: 1 addition. */
+struct kernel_clock_bound_sum_out {
+    float clock_bound;
+};
+
+static __device__ __forceinline__ kernel_clock_bound_sum_out kernel_clock_bound_sum(float delay, float clock_bound)
+{
+    return {delay + clock_bound};
+}
+
 /* Errors of the state at the end of a flight to a surface, from those at its start.
    derivative of Eq. 3 and of the contact time, with roundings. 165 operations: 36 additions, 2 subtractions, 43 multiplications, 2 divisions, 10 negations, 17 absolute values, 23 comparisons, 32 selections. */
 struct kernel_carry_flight_out {
@@ -288,49 +393,51 @@ static __device__ __forceinline__ kernel_carry_time_out kernel_carry_time(double
 }
 
 /* Bounds on the errors of state and time that decisions allow for.
-   the carried errors times a factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+   the carried errors times a factor. 30 operations: 4 multiplications, 9 absolute values, 7 comparisons, 10 selections. */
 struct kernel_error_bounds_out {
     double position_error, velocity_error, spin_error, time_error;
 };
 
-static __device__ __forceinline__ kernel_error_bounds_out kernel_error_bounds(double clock_error, double dx, double dy, double dz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz)
+static __device__ __forceinline__ kernel_error_bounds_out kernel_error_bounds(double clock_error, double dx, double dy, double dz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz, double position_bound, double velocity_bound, double spin_bound, double estimated, double clock_bound)
 {
     const double _s0 = fabs(dx);
     const double _s1 = fabs(dy);
     const double _s2 = larger(_s0, _s1);
     const double _s3 = fabs(dz);
-    const double _s4 = fabs(dvx);
-    const double _s5 = fabs(dvy);
-    const double _s6 = larger(_s4, _s5);
-    const double _s7 = fabs(dvz);
-    const double _s8 = fabs(dwx);
-    const double _s9 = fabs(dwy);
-    const double _s10 = larger(_s8, _s9);
-    const double _s11 = fabs(dwz);
-    return {16.0 * larger(_s2, _s3), 16.0 * larger(_s6, _s7), 16.0 * larger(_s10, _s11), 16.0 * clock_error};
+    const bool _s4 = 0.0 < estimated;
+    const double _s5 = fabs(dvx);
+    const double _s6 = fabs(dvy);
+    const double _s7 = larger(_s5, _s6);
+    const double _s8 = fabs(dvz);
+    const double _s9 = fabs(dwx);
+    const double _s10 = fabs(dwy);
+    const double _s11 = larger(_s9, _s10);
+    const double _s12 = fabs(dwz);
+    return {choose(_s4, (16.0 * larger(_s2, _s3)), position_bound), choose(_s4, (16.0 * larger(_s7, _s8)), velocity_bound), choose(_s4, (16.0 * larger(_s11, _s12)), spin_bound), choose(_s4, (16.0 * clock_error), clock_bound)};
 }
 
 /* Bounds on the errors of state and time that are reported.
-   the carried errors times a larger factor. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+   the carried errors times a larger factor. 30 operations: 4 multiplications, 9 absolute values, 7 comparisons, 10 selections. */
 struct kernel_claimed_errors_out {
     double position_error, velocity_error, spin_error, time_error;
 };
 
-static __device__ __forceinline__ kernel_claimed_errors_out kernel_claimed_errors(double clock_error, double dx, double dy, double dz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz)
+static __device__ __forceinline__ kernel_claimed_errors_out kernel_claimed_errors(double clock_error, double dx, double dy, double dz, double dvx, double dvy, double dvz, double dwx, double dwy, double dwz, double position_bound, double velocity_bound, double spin_bound, double estimated, double clock_bound)
 {
     const double _s0 = fabs(dx);
     const double _s1 = fabs(dy);
     const double _s2 = larger(_s0, _s1);
     const double _s3 = fabs(dz);
-    const double _s4 = fabs(dvx);
-    const double _s5 = fabs(dvy);
-    const double _s6 = larger(_s4, _s5);
-    const double _s7 = fabs(dvz);
-    const double _s8 = fabs(dwx);
-    const double _s9 = fabs(dwy);
-    const double _s10 = larger(_s8, _s9);
-    const double _s11 = fabs(dwz);
-    return {64.0 * larger(_s2, _s3), 64.0 * larger(_s6, _s7), 64.0 * larger(_s10, _s11), 64.0 * clock_error};
+    const bool _s4 = 0.0 < estimated;
+    const double _s5 = fabs(dvx);
+    const double _s6 = fabs(dvy);
+    const double _s7 = larger(_s5, _s6);
+    const double _s8 = fabs(dvz);
+    const double _s9 = fabs(dwx);
+    const double _s10 = fabs(dwy);
+    const double _s11 = larger(_s9, _s10);
+    const double _s12 = fabs(dwz);
+    return {choose(_s4, (64.0 * larger(_s2, _s3)), position_bound), choose(_s4, (64.0 * larger(_s7, _s8)), velocity_bound), choose(_s4, (64.0 * larger(_s11, _s12)), spin_bound), choose(_s4, (64.0 * clock_error), clock_bound)};
 }
 
 /* 1 if finite parameters are allowed.
@@ -1030,6 +1137,17 @@ struct kernel_elsewhere_out {
 static __device__ __forceinline__ kernel_elsewhere_out kernel_elsewhere()
 {
     return {INFINITE};
+}
+
+/* 1 if the flight began on the surface that the ball meets.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+struct kernel_came_back_out {
+    double back;
+};
+
+static __device__ __forceinline__ kernel_came_back_out kernel_came_back(double last, double which)
+{
+    return {choose((last == which), 1.0, 0.0)};
 }
 
 /* Whether the ball meets the same surface again.
@@ -2567,6 +2685,402 @@ static __device__ __forceinline__ kernel_ring_impact_grip_deficit_out kernel_rin
     return {rolling_friction - (_s0 * (force * force)), rolling_friction_rate - (_s0 * (2.0 * (force * force_rate)))};
 }
 
+/* Slip of a contact, the share of it that friction takes, and the margin of grip.
+   momentum, angular momentum and Coulomb's law of friction. 65 operations: 7 additions, 11 subtractions, 28 multiplications, 5 divisions, 1 square root, 1 negation, 4 comparisons, 8 selections. */
+struct kernel_ring_impact_slip_out {
+    double slip_share, slip_margin, slip_speed, slip_x, slip_y, slip_z;
+};
+
+static __device__ __forceinline__ kernel_ring_impact_slip_out kernel_ring_impact_slip(double vx, double vy, double vz, double wx, double wy, double wz, double nx, double ny, double nz, double p_ball_radius, double p_ring_restitution, double p_ring_friction, double p_inertia, double p_tangential_restitution, double p_restitution_speed)
+{
+    const double _s0 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const double _s1 = (vz - (nz * _s0)) - (p_ball_radius * ((ny * wx) - (nx * wy)));
+    const double _s2 = (vy - (ny * _s0)) - (p_ball_radius * ((nx * wz) - (nz * wx)));
+    const double _s3 = (vx - (nx * _s0)) - (p_ball_radius * ((nz * wy) - (ny * wz)));
+    const double _s4 = ((_s1 * _s1) + (_s2 * _s2)) + (_s3 * _s3);
+    const double _s5 = (p_inertia * (1.0 + p_tangential_restitution)) / (1.0 + p_inertia);
+    const double _s6 = p_ring_friction * ((1.0 + (p_ring_restitution / (1.0 - (_s0 / p_restitution_speed)))) * _s0);
+    const double _s7 = -_s6;
+    const double _s8 = sqrt(_s4);
+    const bool _s9 = p_ring_friction < (INFINITE);
+    const bool _s10 = 0.0 < p_ring_friction;
+    const double _s11 = choose(_s10, choose(_s9, choose(((_s4 * (_s5 * _s5)) <= (_s7 * _s7)), _s5, (_s7 / _s8)), _s5), 0.0);
+    const double _s12 = 1.0 / _s8;
+    const bool _s13 = 0.0 < _s8;
+    return {_s11, choose(_s10, choose(_s9, (_s7 - (_s5 * _s8)), 1.0), 1.0), _s8, choose(_s13, (_s3 * _s12), 0.0), choose(_s13, (_s2 * _s12), 0.0), choose(_s13, (_s1 * _s12), 0.0)};
+}
+
+/* Bounds on errors after a contact, from those at the departure before it.
+   derivative of the contact with friction, with roundings. 1529 operations: 372 additions, 141 subtractions, 726 multiplications, 17 divisions, 93 negations, 133 absolute values, 16 comparisons, 31 selections. */
+struct kernel_bound_ring_impact_out {
+    float place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, left_nx, left_ny, left_nz, left_ex, left_ey, left_bend_s, left_bend_e, delay;
+};
+
+static __device__ __forceinline__ kernel_bound_ring_impact_out kernel_bound_ring_impact(float t, float x, float y, float z, float vx, float vy, float vz, float wx, float wy, float wz, float nx, float ny, float nz, float clock, float left_nx, float left_ny, float left_nz, float place_n, float place_s, float place_e, float pace_n, float pace_s, float pace_e, float turn_n, float turn_z, float position_bound, float velocity_bound, float spin_bound, float tangent_x, float tangent_y, float bend_s, float bend_e, float left_ex, float left_ey, float left_bend_s, float left_bend_e, float sharpest_bend, float root_offset, float root_level, float normal_rounding, float normal_velocity, float back, float slip_share, float slip_margin, float slip_speed, float slip_x, float slip_y, float slip_z, float p_ball_radius, float p_gravity, float p_ring_restitution, float p_ring_friction, float p_inertia, float p_tangential_restitution, float p_restitution_speed)
+{
+    const float _s0 = -(p_gravity * nz);
+    const float _s1 = fabsf(vx);
+    const float _s2 = ((float)2.0) * t;
+    const float _s3 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s2 * _s1) + fabsf(x)));
+    const float _s4 = fabsf(vy);
+    const float _s5 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s2 * _s4) + fabsf(y)));
+    const float _s6 = ((float)0.5) * p_gravity;
+    const float _s7 = ((_s6 * (t * t)) + (_s2 * fabsf((vz + (_s6 * t))))) + fabsf(z);
+    const float _s8 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s7);
+    const float _s9 = ((position_bound + (t * velocity_bound)) + ((_s3 + _s5) + _s8)) + larger(root_offset, root_level);
+    const float _s10 = ((nx * left_nx) + (ny * left_ny)) + (nz * left_nz);
+    const float _s11 = _s10 - back;
+    const float _s12 = nz * tangent_y;
+    const float _s13 = -(nz * tangent_x);
+    const float _s14 = (left_ex * _s12) + (left_ey * _s13);
+    const float _s15 = left_bend_s * _s14;
+    const float _s16 = (vx * tangent_x) + (vy * tangent_y);
+    const float _s17 = (tangent_x * left_ex) + (tangent_y * left_ey);
+    const float _s18 = left_bend_s * _s17;
+    const float _s19 = (ny * tangent_x) - (nx * tangent_y);
+    const float _s20 = ((vx * _s12) + (vy * _s13)) + (vz * _s19);
+    const float _s21 = -(p_gravity * _s19);
+    const float _s22 = _s20 - (t * _s21);
+    const float _s23 = (_s15 * _s16) - (_s18 * _s22);
+    const float _s24 = left_nz * left_ey;
+    const float _s25 = -(left_nz * left_ex);
+    const float _s26 = (left_ny * left_ex) - (left_nx * left_ey);
+    const float _s27 = ((nx * _s24) + (ny * _s25)) + (nz * _s26);
+    const float _s28 = (t * _s23) + _s27;
+    const float _s29 = left_bend_e * _s19;
+    const float _s30 = _s29 * _s16;
+    const float _s31 = (nx * left_ex) + (ny * left_ey);
+    const float _s32 = (t * _s30) + _s31;
+    const float _s33 = t * _s10;
+    const float _s34 = t * _s27;
+    const float _s35 = ((((place_n * fabsf(_s11)) + (place_s * fabsf(_s28))) + (place_e * fabsf(_s32))) + (pace_n * fabsf(_s33))) + (pace_s * fabsf(_s34));
+    const float _s36 = t * _s31;
+    const float _s37 = p_gravity * t;
+    const float _s38 = fabsf(vz);
+    const float _s39 = (_s1 + _s4) + _s38;
+    const float _s40 = (place_s * left_bend_s) + (place_e * left_bend_e);
+    const float _s41 = (_s37 + _s39) * _s40;
+    const float _s42 = ((float)7.62939453125e-06) * ((t * _s41) + _s9);
+    const float _s43 = ((root_offset + ((((float)1.02) * (sharpest_bend * _s9)) * _s9)) + (_s35 + (pace_e * fabsf(_s36)))) + _s42;
+    const float _s44 = fabsf(normal_velocity);
+    const float _s45 = (((float)1.1) * _s43) / _s44;
+    const float _s46 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (((_s37 + _s1) + _s4) + _s38));
+    const float _s47 = velocity_bound + _s46;
+    const float _s48 = (p_gravity * _s45) + _s47;
+    const float _s49 = _s48 + _s39;
+    const float _s50 = (_s45 * _s49) + _s9;
+    const float _s51 = ((float)1.02) * sharpest_bend;
+    const float _s52 = _s51 * _s50;
+    const float _s53 = (((float)12.0) * (((fabsf(_s0) * _s45) + (_s52 * _s49)) + _s47)) - _s44;
+    const float _s54 = (((float)100.0) * (sharpest_bend * _s50)) - ((float)1.0);
+    const float _s55 = larger(_s53, _s54);
+    const float _s56 = (_s6 * (_s45 * _s45)) + (_s45 * _s47);
+    const float _s57 = ((_s52 * _s50) + _s56) / _s44;
+    const float _s58 = (_s57 * _s39) + _s56;
+    const float _s59 = (root_level + _s58) + (((fabsf(nx) * _s3) + (fabsf(ny) * _s5)) + (fabsf(nz) * _s8));
+    const float _s60 = bend_s * _s59;
+    const float _s61 = (((float)4194304.0) * ((place_n * left_bend_s) + _s60)) - ((float)1.0);
+    const float _s62 = larger(_s55, _s61);
+    const float _s63 = (p_inertia * (((float)1.0) + p_tangential_restitution)) / (((float)1.0) + p_inertia);
+    const float _s64 = (fabsf(wx) + fabsf(wy)) + fabsf(wz);
+    const float _s65 = ((float)1.125) * _s52;
+    const float _s66 = spin_bound + (_s65 * (spin_bound + _s64));
+    const float _s67 = (_s65 * _s49) + _s48;
+    const float _s68 = (p_ball_radius * _s66) + _s67;
+    const float _s69 = normal_rounding + _s60;
+    const float _s70 = (normal_rounding * (_s39 + _s44)) + ((((float)2.0) * _s60) * _s44);
+    const float _s71 = ((p_ball_radius * _s69) * _s64) + _s70;
+    const float _s72 = _s68 + _s71;
+    const float _s73 = _s69 * _s39;
+    const float _s74 = ((float)1.0) + p_ring_restitution;
+    const float _s75 = choose((p_ring_friction < ((float)INFINITE)), (p_ring_friction * _s74), ((float)0.0));
+    const float _s76 = (p_ball_radius * _s64) + _s39;
+    const float _s77 = _s63 * _s76;
+    const float _s78 = ((((float)1.125) * ((_s63 * _s72) + ((_s73 + _s67) * _s75))) + (((float)3.552713678800501e-15) * (_s77 + (_s39 * _s75)))) - fabsf(slip_margin);
+    const float _s79 = larger(_s62, _s78);
+    const bool _s80 = slip_margin < ((float)0.0);
+    const float _s81 = choose(_s80, ((((float)5.0) * ((((float)9.5367431640625e-07) * _s76) + _s72)) - slip_speed), ((float)-1.0));
+    const float _s82 = ((float)1.0009765625) * _s59;
+    const bool _s83 = larger(_s79, _s81) <= ((float)0.0);
+    const float _s84 = (root_offset + _s42) / _s44;
+    const float _s85 = (fabsf(_s20) * _s84) + (((fabsf(_s13) * _s5) + (fabsf(_s12) * _s3)) + (fabsf(_s19) * _s8));
+    const float _s86 = (_s58 + (((float)7.62939453125e-06) * _s50)) + _s42;
+    const float _s87 = ((float)1.0) / normal_velocity;
+    const float _s88 = -(_s87 * _s11);
+    const float _s89 = ((left_nx * _s12) + (left_ny * _s13)) + (left_nz * _s19);
+    const float _s90 = (_s88 * _s20) + _s89;
+    const float _s91 = -(_s87 * _s28);
+    const float _s92 = normal_velocity - (t * _s0);
+    const float _s93 = left_bend_s * _s31;
+    const float _s94 = (_s18 * _s92) - (_s93 * _s16);
+    const float _s95 = ((_s13 * _s25) + (_s12 * _s24)) + (_s19 * _s26);
+    const float _s96 = (_s91 * _s20) + ((t * _s94) + _s95);
+    const float _s97 = -(_s87 * _s32);
+    const float _s98 = nz * left_bend_e;
+    const float _s99 = -(_s98 * _s16);
+    const float _s100 = (_s97 * _s20) + ((t * _s99) + _s14);
+    const float _s101 = -(_s87 * _s33);
+    const float _s102 = (_s101 * _s20) + (t * _s89);
+    const float _s103 = -(_s87 * _s34);
+    const float _s104 = (_s103 * _s20) + (t * _s95);
+    const float _s105 = ((((place_n * fabsf(_s90)) + (place_s * fabsf(_s96))) + (place_e * fabsf(_s100))) + (pace_n * fabsf(_s102))) + (pace_s * fabsf(_s104));
+    const float _s106 = -(_s87 * _s36);
+    const float _s107 = (_s106 * _s20) + (t * _s14);
+    const float _s108 = ((float)1.0009765625) * ((_s85 + _s86) + (_s105 + (pace_e * fabsf(_s107))));
+    const float _s109 = fabsf(((float)0.0));
+    const float _s110 = (fabsf(_s16) * _s84) + (((_s109 * _s8) + (fabsf(tangent_x) * _s3)) + (fabsf(tangent_y) * _s5));
+    const float _s111 = (left_nx * tangent_x) + (left_ny * tangent_y);
+    const float _s112 = (_s88 * _s16) + _s111;
+    const float _s113 = (_s93 * _s22) - (_s15 * _s92);
+    const float _s114 = (tangent_x * _s24) + (tangent_y * _s25);
+    const float _s115 = (_s91 * _s16) + ((t * _s113) + _s114);
+    const float _s116 = (_s98 * _s22) - (_s29 * _s92);
+    const float _s117 = (_s97 * _s16) + ((t * _s116) + _s17);
+    const float _s118 = (_s101 * _s16) + (t * _s111);
+    const float _s119 = (_s103 * _s16) + (t * _s114);
+    const float _s120 = ((((place_n * fabsf(_s112)) + (place_s * fabsf(_s115))) + (place_e * fabsf(_s117))) + (pace_n * fabsf(_s118))) + (pace_s * fabsf(_s119));
+    const float _s121 = (_s106 * _s16) + (t * _s17);
+    const float _s122 = ((float)1.0009765625) * ((_s110 + _s86) + (_s120 + (pace_e * fabsf(_s121))));
+    const float _s123 = ((float)1.0) + (_s44 / p_restitution_speed);
+    const float _s124 = p_ring_restitution * ((((float)1.0) / _s123) - ((_s44 * (((float)1.0) / p_restitution_speed)) / (_s123 * _s123)));
+    const float _s125 = (p_gravity * _s84) + _s46;
+    const float _s126 = -(bend_s * _s20);
+    const float _s127 = bend_e * _s19;
+    const float _s128 = _s127 * _s16;
+    const float _s129 = _s125 + ((fabsf(_s126) * _s85) + (fabsf(_s128) * _s110));
+    const float _s130 = choose(_s80, _s75, ((float)0.0));
+    const float _s131 = ((((float)32.0) * _s63) * _s76) + ((((float)4.0) * _s39) * _s130);
+    const float _s132 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((((float)20.0) * _s76) + _s131));
+    const float _s133 = p_ring_restitution / p_restitution_speed;
+    const float _s134 = _s67 * _s67;
+    const float _s135 = ((float)1.125) * ((_s63 * _s68) + (_s67 * _s130));
+    const float _s136 = (bend_s + bend_e) * _s86;
+    const float _s137 = _s77 + _s39;
+    const float _s138 = (_s51 * _s58) + (((float)2.0) * (_s52 * _s52));
+    const float _s139 = ((float)1.125) * _s138;
+    const float _s140 = (p_gravity * _s57) + (((float)1.125) * ((_s52 * _s48) + (_s138 * _s39)));
+    const float _s141 = ((((_s133 * _s134) + (_s65 * (_s67 + _s135))) + (_s136 * _s137)) + (_s139 * _s137)) + _s140;
+    const float _s142 = ((float)4.0) * _s52;
+    const float _s143 = (_s142 * _s39) + (((float)2.0) * (_s41 + _s48));
+    const float _s144 = (_s142 * _s64) + (((float)2.0) * (spin_bound + (_s40 * _s64)));
+    const float _s145 = ((float)2.0) * ((_s63 * ((p_ball_radius * _s144) + _s143)) + (_s143 * _s130));
+    const float _s146 = ((float)1.125) * ((spin_bound * _s52) + (_s138 * _s64));
+    const float _s147 = choose(_s80, (((_s68 / slip_speed) * (((((float)1.02) * _s67) * _s130) + ((((float)1.05) * slip_share) * _s68))) + ((p_ring_friction * _s133) * _s134)), ((float)0.0));
+    const float _s148 = ((_s63 * ((p_ball_radius * _s146) + _s140)) + (_s140 * _s130)) + _s147;
+    const float _s149 = (_s141 + (((float)7.62939453125e-06) * (_s143 + _s145))) + _s148;
+    const float _s150 = ((float)1.125) * ((_s73 * _s130) + (_s63 * _s71));
+    const float _s151 = -(_s0 * _s124);
+    const float _s152 = -(_s124 * _s126);
+    const float _s153 = -(_s124 * _s128);
+    const float _s154 = fabsf(((((_s91 * _s151) + (-(_s124 * _s23))) - (_s152 * _s96)) - (_s153 * _s115)));
+    const float _s155 = (place_n * fabsf((((_s88 * _s151) - (_s152 * _s90)) - (_s153 * _s112)))) + (place_s * _s154);
+    const float _s156 = fabsf(((((_s97 * _s151) + (-(_s124 * _s30))) - (_s152 * _s100)) - (_s153 * _s117)));
+    const float _s157 = fabsf(((((_s101 * _s151) + (-(_s124 * _s10))) - (_s152 * _s102)) - (_s153 * _s118)));
+    const float _s158 = fabsf(((((_s103 * _s151) + (-(_s124 * _s27))) - (_s152 * _s104)) - (_s153 * _s119)));
+    const float _s159 = fabsf(((((_s106 * _s151) + (-(_s124 * _s31))) - (_s152 * _s107)) - (_s153 * _s121)));
+    const float _s160 = (((_s74 * _s70) + (fabsf((-_s124)) * _s129)) + ((_s132 + _s149) + _s150)) + ((((_s155 + (place_e * _s156)) + (pace_n * _s157)) + (pace_s * _s158)) + (pace_e * _s159));
+    const float _s161 = ((float)1.0009765625) * _s160;
+    const float _s162 = ((((normal_rounding * _s74) * _s44) + _s132) + _s149) + _s150;
+    const float _s163 = ((slip_x * _s12) + (slip_y * _s13)) + (slip_z * _s19);
+    const float _s164 = choose(_s80, slip_share, ((float)0.0));
+    const float _s165 = -(_s163 * _s164);
+    const float _s166 = slip_share + (_s165 * _s163);
+    const float _s167 = bend_s * normal_velocity;
+    const float _s168 = nz * bend_e;
+    const float _s169 = -(_s168 * _s16);
+    const float _s170 = _s125 + ((fabsf(_s167) * _s85) + (fabsf(_s169) * _s110));
+    const float _s171 = (tangent_x * slip_x) + (tangent_y * slip_y);
+    const float _s172 = -((p_ball_radius * _s171) * _s164);
+    const float _s173 = _s172 * _s163;
+    const float _s174 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const float _s175 = bend_s * _s174;
+    const float _s176 = fabsf(_s175);
+    const float _s177 = (wx * tangent_x) + (wy * tangent_y);
+    const float _s178 = -(_s168 * _s177);
+    const float _s179 = (_s176 * _s85) + (fabsf(_s178) * _s110);
+    const float _s180 = -(_s171 * _s164);
+    const float _s181 = _s180 * _s163;
+    const float _s182 = _s109 * _s85;
+    const float _s183 = bend_e * ((nz * _s20) - (normal_velocity * _s19));
+    const float _s184 = _s125 + (_s182 + (fabsf(_s183) * _s110));
+    const float _s185 = choose(_s80, (p_ring_friction * (((float)1.0) + _s124)), ((float)0.0));
+    const float _s186 = -_s185;
+    const float _s187 = _s163 * _s186;
+    const float _s188 = (((fabsf((((float)1.0) - _s166)) * _s170) + (fabsf((-_s173)) * _s179)) + (fabsf((-_s181)) * _s184)) + (fabsf((-_s187)) * _s129);
+    const float _s189 = -p_ball_radius;
+    const float _s190 = -((_s189 * _s163) * _s164);
+    const float _s191 = (_s190 * _s163) + (slip_share * _s189);
+    const float _s192 = ((wx * _s12) + (wy * _s13)) + (wz * _s19);
+    const float _s193 = _s19 * _s174;
+    const float _s194 = bend_e * ((nz * _s192) - _s193);
+    const float _s195 = _s182 + (fabsf(_s194) * _s110);
+    const float _s196 = -((_s0 * _s185) + ((_s21 * _s163) * _s164));
+    const float _s197 = (_s196 * _s163) + (slip_share * _s21);
+    const float _s198 = _s21 - _s197;
+    const float _s199 = _s169 - (p_ball_radius * _s194);
+    const float _s200 = (p_ball_radius * _s178) + _s183;
+    const float _s201 = -((_s128 * _s185) + (((_s199 * _s163) + (_s200 * _s171)) * _s164));
+    const float _s202 = (_s201 * _s163) + (slip_share * _s199);
+    const float _s203 = _s169 - _s202;
+    const float _s204 = p_ball_radius * _s175;
+    const float _s205 = -((_s126 * _s185) + (((_s204 * _s171) + (_s167 * _s163)) * _s164));
+    const float _s206 = (_s205 * _s163) + (slip_share * _s167);
+    const float _s207 = _s167 - _s206;
+    const float _s208 = (p_ball_radius * ((_s18 * _s174) - (_s93 * _s177))) + _s113;
+    const float _s209 = _s94 - (p_ball_radius * ((_s93 * _s192) - (_s15 * _s174)));
+    const float _s210 = -((_s23 * _s185) + (((_s208 * _s171) + (_s209 * _s163)) * _s164));
+    const float _s211 = (_s210 * _s163) + (slip_share * _s209);
+    const float _s212 = place_s * fabsf(((((_s91 * _s198) + (_s94 - _s211)) - (_s115 * _s203)) - (_s96 * _s207)));
+    const float _s213 = (place_n * fabsf((((_s88 * _s198) - (_s112 * _s203)) - (_s90 * _s207)))) + _s212;
+    const float _s214 = (p_ball_radius * (-(_s98 * _s177))) + _s116;
+    const float _s215 = _s99 - (p_ball_radius * ((_s98 * _s192) - (_s29 * _s174)));
+    const float _s216 = -((_s30 * _s185) + (((_s214 * _s171) + (_s215 * _s163)) * _s164));
+    const float _s217 = (_s216 * _s163) + (slip_share * _s215);
+    const float _s218 = place_e * fabsf(((((_s97 * _s198) + (_s99 - _s217)) - (_s117 * _s203)) - (_s100 * _s207)));
+    const float _s219 = -((((_s111 * _s171) + (_s89 * _s163)) * _s164) + (_s10 * _s185));
+    const float _s220 = (_s219 * _s163) + (slip_share * _s89);
+    const float _s221 = pace_n * fabsf(((((_s101 * _s198) + (_s89 - _s220)) - (_s118 * _s203)) - (_s102 * _s207)));
+    const float _s222 = ((float)1.0) / p_ball_radius;
+    const float _s223 = _s95 - (p_ball_radius * (_s222 * _s17));
+    const float _s224 = (p_ball_radius * (_s222 * _s14)) + _s114;
+    const float _s225 = -((((_s223 * _s163) + (_s224 * _s171)) * _s164) + (_s27 * _s185));
+    const float _s226 = (_s225 * _s163) + (slip_share * _s223);
+    const float _s227 = pace_s * fabsf(((((_s103 * _s198) + (_s95 - _s226)) - (_s119 * _s203)) - (_s104 * _s207)));
+    const float _s228 = _s14 - (p_ball_radius * (-(_s222 * _s114)));
+    const float _s229 = (p_ball_radius * (-(_s222 * _s95))) + _s17;
+    const float _s230 = -((_s31 * _s185) + (((_s228 * _s163) + (_s229 * _s171)) * _s164));
+    const float _s231 = (_s230 * _s163) + (slip_share * _s228);
+    const float _s232 = pace_e * fabsf(((((_s106 * _s198) + (_s14 - _s231)) - (_s121 * _s203)) - (_s107 * _s207)));
+    const float _s233 = -(p_ball_radius * _s111);
+    const float _s234 = p_ball_radius * _s89;
+    const float _s235 = -(((_s233 * _s163) + (_s234 * _s171)) * _s164);
+    const float _s236 = (_s235 * _s163) + (slip_share * _s233);
+    const float _s237 = -(p_ball_radius * _s17);
+    const float _s238 = p_ball_radius * _s14;
+    const float _s239 = -(((_s237 * _s163) + (_s238 * _s171)) * _s164);
+    const float _s240 = (_s239 * _s163) + (slip_share * _s237);
+    const float _s241 = (((((_s213 + _s218) + _s221) + _s227) + _s232) + (turn_n * fabsf((-_s236)))) + (turn_z * fabsf((-_s240)));
+    const float _s242 = -(p_ball_radius * _s114);
+    const float _s243 = p_ball_radius * _s95;
+    const float _s244 = -(((_s242 * _s163) + (_s243 * _s171)) * _s164);
+    const float _s245 = (_s244 * _s163) + (slip_share * _s242);
+    const float _s246 = (_s162 + (_s188 + (fabsf((-_s191)) * _s195))) + (_s241 + (turn_z * fabsf((-_s245))));
+    const float _s247 = ((float)1.0009765625) * _s246;
+    const float _s248 = slip_share + (_s180 * _s171);
+    const float _s249 = _s190 * _s171;
+    const float _s250 = _s165 * _s171;
+    const float _s251 = _s171 * _s186;
+    const float _s252 = (((fabsf((((float)1.0) - _s248)) * _s184) + (fabsf((-_s249)) * _s195)) + (fabsf((-_s250)) * _s170)) + (fabsf((-_s251)) * _s129);
+    const float _s253 = (_s172 * _s171) + (p_ball_radius * slip_share);
+    const float _s254 = _s171 * _s196;
+    const float _s255 = -_s254;
+    const float _s256 = (_s171 * _s201) + (slip_share * _s200);
+    const float _s257 = _s183 - _s256;
+    const float _s258 = (_s171 * _s205) + (slip_share * _s204);
+    const float _s259 = -_s258;
+    const float _s260 = (_s171 * _s210) + (slip_share * _s208);
+    const float _s261 = place_s * fabsf(((((_s91 * _s255) + (_s113 - _s260)) - (_s115 * _s257)) - (_s96 * _s259)));
+    const float _s262 = (place_n * fabsf((((_s88 * _s255) - (_s112 * _s257)) - (_s90 * _s259)))) + _s261;
+    const float _s263 = (_s171 * _s216) + (slip_share * _s214);
+    const float _s264 = place_e * fabsf(((((_s97 * _s255) + (_s116 - _s263)) - (_s117 * _s257)) - (_s100 * _s259)));
+    const float _s265 = (_s171 * _s219) + (slip_share * _s111);
+    const float _s266 = pace_n * fabsf(((((_s101 * _s255) + (_s111 - _s265)) - (_s118 * _s257)) - (_s102 * _s259)));
+    const float _s267 = (_s171 * _s225) + (slip_share * _s224);
+    const float _s268 = pace_s * fabsf(((((_s103 * _s255) + (_s114 - _s267)) - (_s119 * _s257)) - (_s104 * _s259)));
+    const float _s269 = (_s171 * _s230) + (slip_share * _s229);
+    const float _s270 = pace_e * fabsf(((((_s106 * _s255) + (_s17 - _s269)) - (_s121 * _s257)) - (_s107 * _s259)));
+    const float _s271 = (_s235 * _s171) + (slip_share * _s234);
+    const float _s272 = (_s239 * _s171) + (slip_share * _s238);
+    const float _s273 = (((((_s262 + _s264) + _s266) + _s268) + _s270) + (turn_n * fabsf((-_s271)))) + (turn_z * fabsf((-_s272)));
+    const float _s274 = (_s244 * _s171) + (slip_share * _s243);
+    const float _s275 = (_s162 + (_s252 + (fabsf((-_s253)) * _s179))) + (_s273 + (turn_z * fabsf((-_s274))));
+    const float _s276 = ((float)1.0009765625) * _s275;
+    const float _s277 = -(bend_s * _s192);
+    const float _s278 = _s127 * _s177;
+    const float _s279 = ((float)1.0) / (p_ball_radius * p_inertia);
+    const float _s280 = (_s77 * _s279) + _s64;
+    const float _s281 = (((_s65 * ((_s135 * _s279) + _s66)) + (_s136 * _s280)) + (_s139 * _s280)) + (_s148 * _s279);
+    const float _s282 = (((((_s63 * _s69) * _s76) + _s150) * _s279) + (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s131 * _s279) + (((float)4.0) * _s64))))) + ((_s281 + (((float)7.62939453125e-06) * ((_s279 * _s145) + _s144))) + _s146);
+    const float _s283 = place_s * fabsf(((((_s15 * _s177) - (_s18 * _s192)) - (_s277 * _s96)) - (_s278 * _s115)));
+    const float _s284 = (place_n * fabsf((-((_s277 * _s90) + (_s278 * _s112))))) + _s283;
+    const float _s285 = _s284 + (place_e * fabsf((((_s29 * _s177) - (_s277 * _s100)) - (_s278 * _s117))));
+    const float _s286 = _s285 + (pace_n * fabsf((-((_s277 * _s102) + (_s278 * _s118)))));
+    const float _s287 = _s286 + (pace_s * fabsf((((_s222 * _s31) - (_s277 * _s104)) - (_s278 * _s119))));
+    const float _s288 = pace_e * fabsf((((-(_s222 * _s27)) - (_s277 * _s107)) - (_s278 * _s121)));
+    const float _s289 = (((fabsf(_s277) * _s85) + (fabsf(_s278) * _s110)) + _s282) + ((((_s287 + _s288) + (turn_n * fabsf(_s10))) + (turn_z * fabsf(_s31))) + (turn_z * fabsf(_s27)));
+    const float _s290 = ((float)1.0009765625) * _s289;
+    const float _s291 = ((float)1.0) + (((float)1.0) / p_inertia);
+    const float _s292 = (fabsf((_s222 * (-(_s249 * _s291)))) * _s195) + (fabsf((_s222 * (-(_s250 * _s291)))) * _s170);
+    const float _s293 = _s292 + (fabsf((_s222 * (-(_s251 * _s291)))) * _s129);
+    const float _s294 = _s293 + (fabsf((_s222 * (((float)1.0) - (_s291 * _s248)))) * _s184);
+    const float _s295 = _s294 + (fabsf((_s222 * (p_ball_radius - (_s291 * _s253)))) * _s179);
+    const float _s296 = fabsf((-(_s222 * (-(_s173 * _s291))))) * _s179;
+    const float _s297 = fabsf((-(_s222 * (-(_s181 * _s291))))) * _s184;
+    const float _s298 = fabsf((-(_s222 * (-(_s187 * _s291))))) * _s129;
+    const float _s299 = fabsf((-(_s222 * (((float)1.0) - (_s291 * _s166))))) * _s170;
+    const float _s300 = fabsf((-(_s222 * (_s189 - (_s291 * _s191))))) * _s195;
+    const float _s301 = (((_s296 + _s297) + _s298) + _s299) + _s300;
+    const float _s302 = _s222 * (-(_s254 * _s291));
+    const float _s303 = _s222 * (_s204 - (_s291 * _s258));
+    const float _s304 = _s222 * (_s200 - (_s291 * _s256));
+    const float _s305 = (((_s302 * _s91) + (_s222 * (_s208 - (_s291 * _s260)))) - (_s303 * _s96)) - (_s304 * _s115);
+    const float _s306 = (place_n * fabsf((((_s302 * _s88) - (_s303 * _s90)) - (_s304 * _s112)))) + (place_s * fabsf(_s305));
+    const float _s307 = (((_s302 * _s97) + (_s222 * (_s214 - (_s291 * _s263)))) - (_s303 * _s100)) - (_s304 * _s117);
+    const float _s308 = (((_s302 * _s101) + (_s222 * (_s111 - (_s291 * _s265)))) - (_s303 * _s102)) - (_s304 * _s118);
+    const float _s309 = (((_s302 * _s103) + (_s222 * (_s224 - (_s291 * _s267)))) - (_s303 * _s104)) - (_s304 * _s119);
+    const float _s310 = (((_s302 * _s106) + (_s222 * (_s229 - (_s291 * _s269)))) - (_s303 * _s107)) - (_s304 * _s121);
+    const float _s311 = (((_s306 + (place_e * fabsf(_s307))) + (pace_n * fabsf(_s308))) + (pace_s * fabsf(_s309))) + (pace_e * fabsf(_s310));
+    const float _s312 = _s311 + (turn_n * fabsf((_s222 * (_s234 - (_s291 * _s271)))));
+    const float _s313 = _s312 + (turn_z * fabsf((_s222 * (_s238 - (_s291 * _s272)))));
+    const float _s314 = _s313 + (turn_z * fabsf((_s222 * (_s243 - (_s291 * _s274)))));
+    const float _s315 = -(_s222 * (_s21 - (_s291 * _s197)));
+    const float _s316 = -(_s222 * (_s167 - (_s291 * _s206)));
+    const float _s317 = -(_s222 * (_s199 - (_s291 * _s202)));
+    const float _s318 = ((_s315 * _s91) + (-(_s222 * (_s209 - (_s291 * _s211))))) - (_s316 * _s96);
+    const float _s319 = (place_n * fabsf((((_s315 * _s88) - (_s316 * _s90)) - (_s317 * _s112)))) + (place_s * fabsf((_s318 - (_s317 * _s115))));
+    const float _s320 = ((_s315 * _s97) + (-(_s222 * (_s215 - (_s291 * _s217))))) - (_s316 * _s100);
+    const float _s321 = ((_s315 * _s101) + (-(_s222 * (_s89 - (_s291 * _s220))))) - (_s316 * _s102);
+    const float _s322 = (_s319 + (place_e * fabsf((_s320 - (_s317 * _s117))))) + (pace_n * fabsf((_s321 - (_s317 * _s118))));
+    const float _s323 = ((_s315 * _s103) + (-(_s222 * (_s223 - (_s291 * _s226))))) - (_s316 * _s104);
+    const float _s324 = ((_s315 * _s106) + (-(_s222 * (_s228 - (_s291 * _s231))))) - (_s316 * _s107);
+    const float _s325 = (_s322 + (pace_s * fabsf((_s323 - (_s317 * _s119))))) + (pace_e * fabsf((_s324 - (_s317 * _s121))));
+    const float _s326 = turn_n * fabsf((-(_s222 * (_s233 - (_s291 * _s236)))));
+    const float _s327 = turn_z * fabsf((-(_s222 * (_s237 - (_s291 * _s240)))));
+    const float _s328 = turn_z * fabsf((-(_s222 * (_s242 - (_s291 * _s245)))));
+    const float _s329 = ((_s325 + _s326) + _s327) + _s328;
+    const float _s330 = ((float)1.0009765625) * ((((_s222 * _s162) + _s282) + larger(_s295, _s301)) + larger(_s314, _s329));
+    const float _s331 = larger(_s82, _s108);
+    const float _s332 = choose(_s83, (((float)1.0009765625) * ((((float)0.421875) * ((_s82 + _s122) + _s108)) + (((float)0.578125) * larger(_s331, _s122)))), ((float)INFINITE));
+    const float _s333 = _s109 * _s108;
+    const float _s334 = slip_share * (_s20 - (p_ball_radius * _s177));
+    const float _s335 = _s20 - _s334;
+    const float _s336 = _s44 * (p_ring_restitution / _s123);
+    const float _s337 = _s333 + (fabsf((bend_e * ((nz * _s335) - (_s336 * _s19)))) * _s122);
+    const float _s338 = ((float)7.62939453125e-06) * ((bend_s * _s108) + (bend_e * _s122));
+    const float _s339 = _s137 * _s338;
+    const float _s340 = (_s337 + _s339) + _s276;
+    const float _s341 = slip_share * ((p_ball_radius * _s192) + _s16);
+    const float _s342 = _s16 - _s341;
+    const float _s343 = ((fabsf((bend_s * _s336)) * _s108) + (fabsf((-(_s168 * _s342))) * _s122)) + _s339;
+    const float _s344 = _s343 + _s247;
+    const float _s345 = ((fabsf((-(bend_s * _s335))) * _s108) + (fabsf((_s127 * _s342)) * _s122)) + _s339;
+    const float _s346 = _s345 + _s161;
+    const float _s347 = larger(_s346, _s344);
+    const float _s348 = choose(_s83, (((float)1.0009765625) * ((((float)0.421875) * ((_s340 + _s344) + _s346)) + (((float)0.578125) * larger(_s347, _s340)))), ((float)INFINITE));
+    const float _s349 = _s192 - (_s341 * _s279);
+    const float _s350 = (_s334 * _s279) + _s177;
+    const float _s351 = _s280 * _s338;
+    const float _s352 = ((fabsf((-(bend_s * _s349))) * _s108) + (fabsf((_s127 * _s350)) * _s122)) + _s351;
+    const float _s353 = _s352 + _s290;
+    const float _s354 = (((_s276 / p_ball_radius) + (_s176 * _s108)) + (fabsf((-(_s168 * _s350))) * _s122)) + _s351;
+    const float _s355 = _s354 + _s330;
+    const float _s356 = ((_s247 / p_ball_radius) + _s333) + (fabsf((bend_e * ((nz * _s349) - _s193))) * _s122);
+    const float _s357 = (_s356 + _s351) + _s330;
+    const float _s358 = larger(_s353, _s355);
+    const float _s359 = choose(_s83, (((float)1.0009765625) * ((((float)0.421875) * ((_s353 + _s355) + _s357)) + (((float)0.578125) * larger(_s358, _s357)))), ((float)INFINITE));
+    return {choose(_s83, _s82, ((float)INFINITE)), choose(_s83, _s108, ((float)INFINITE)), choose(_s83, _s122, ((float)INFINITE)), choose(_s83, _s161, ((float)INFINITE)), choose(_s83, _s247, ((float)INFINITE)), choose(_s83, _s276, ((float)INFINITE)), choose(_s83, _s290, ((float)INFINITE)), choose(_s83, _s330, ((float)INFINITE)), _s332, _s348, _s359, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, (((float)4.440892098500626e-16) * (t + clock)) + choose(_s83, (((float)1.0009765625) * _s45), ((float)INFINITE))};
+}
+
 /* Velocity and spin after a contact, frame-free.
    momentum, angular momentum and Coulomb's law of friction. 85 operations: 10 additions, 19 subtractions, 43 multiplications, 5 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections. */
 struct kernel_ring_impact_out {
@@ -2696,6 +3210,50 @@ static __device__ __forceinline__ kernel_ring_curvature_out kernel_ring_curvatur
     const double _s0 = (p_ring_radius - p_ball_radius) - p_wire_radius;
     const double _s1 = p_ball_radius + p_wire_radius;
     return {1.0 / smaller(_s0, _s1)};
+}
+
+/* Tangent and curvatures at a contact, and bounds on the roundings there.
+   Table 2, running error analysis. 123 operations: 37 additions, 2 subtractions, 45 multiplications, 6 divisions, 3 square roots, 1 negation, 11 absolute values, 8 comparisons, 10 selections. */
+struct kernel_ring_tangents_out {
+    float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
+};
+
+static __device__ __forceinline__ kernel_ring_tangents_out kernel_ring_tangents(float t, float x, float y, float z, float vx, float vy, float vz, float nx, float ny, float nz, float place_n, float normal_velocity, float back, float p_ball_radius, float p_ring_radius, float p_wire_radius, float p_gravity)
+{
+    const float _s0 = sqrtf(((x * x) + (y * y)));
+    const float _s1 = ((float)1.0) / _s0;
+    const float _s2 = p_ball_radius + p_wire_radius;
+    const float _s3 = ((float)1.0) / _s2;
+    const float _s4 = (p_ring_radius - p_ball_radius) - p_wire_radius;
+    const float _s5 = smaller(_s4, _s2);
+    const float _s6 = p_gravity * t;
+    const float _s7 = vz + _s6;
+    const float _s8 = fabsf(vx);
+    const float _s9 = fabsf(vy);
+    const float _s10 = fabsf(vz);
+    const float _s11 = t * ((((float)2.0) * ((sqrtf(p_gravity) * sqrtf(_s2)) + larger(((float)0.0), _s7))) + (((_s6 + _s8) + _s9) + _s10));
+    const float _s12 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (t * fabsf(normal_velocity)));
+    const float _s13 = t * t;
+    const float _s14 = (p_gravity * _s13) + (t * ((_s8 + _s9) + _s10));
+    const float _s15 = ((float)2.0) * t;
+    const float _s16 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s15 * _s8) + fabsf(x)));
+    const float _s17 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s15 * _s9) + fabsf(y)));
+    const float _s18 = ((float)0.5) * p_gravity;
+    const float _s19 = ((_s18 * _s13) + (_s15 * fabsf((vz + (_s18 * t))))) + fabsf(z);
+    const float _s20 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s19);
+    const float _s21 = ((float)2.0) * (p_ring_radius * _s3);
+    const float _s22 = (((((float)1.5) * _s14) * ((_s16 + _s17) + _s20)) / _s5) + ((((float)1.1102230246251565e-16) * (((float)16.0) + _s21)) * _s14);
+    const float _s23 = ((float)1.125) * _s22;
+    const float _s24 = ((float)1.7763568394002505e-15) * (((normal_velocity * normal_velocity) / (((vx * vx) + (vy * vy)) + (vz * vz))) * _s2);
+    const float _s25 = (_s12 + _s22) + larger(_s23, _s24);
+    const float _s26 = (((float)1.1102230246251565e-16) * ((((float)3.5) * _s2) + (((float)2.0) * _s0))) + (((fabsf(nx) * _s16) + (fabsf(ny) * _s17)) + (fabsf(nz) * _s20));
+    const float _s27 = ((float)1.125) * _s26;
+    const float _s28 = (_s12 + _s26) + larger(_s27, _s24);
+    const float _s29 = place_n + _s28;
+    const bool _s30 = (((float)4.0) * (_s11 / _s5)) <= ((float)1.0);
+    const bool _s31 = ((float)0.0) < back;
+    const float _s32 = place_n + _s25;
+    return {-(y * _s1), x * _s1, _s3, _s1, ((float)1.0) / _s5, choose(_s31, choose(_s30, _s25, larger(_s25, _s29)), _s28), choose(_s31, choose(_s30, _s32, larger(_s32, _s28)), _s28), ((float)1.1102230246251565e-16) * (((float)7.0) + _s21)};
 }
 
 /* Error of the normal, from that of the position.
@@ -3910,6 +4468,73 @@ static __device__ __forceinline__ kernel_backboard_curvature_out kernel_backboar
     return {choose((smaller(_s16, _s22) < 0.0), 0.0, (1.0 / p_ball_radius))};
 }
 
+/* Tangent and curvatures at a contact, and bounds on the roundings there.
+   Table 2, running error analysis. 191 operations: 46 additions, 11 subtractions, 52 multiplications, 4 divisions, 1 square root, 6 negations, 22 absolute values, 23 comparisons, 2 conjunctions, 24 selections. */
+struct kernel_backboard_tangents_out {
+    float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
+};
+
+static __device__ __forceinline__ kernel_backboard_tangents_out kernel_backboard_tangents(float t, float x, float y, float z, float vx, float vy, float vz, float nx, float ny, float nz, float place_n, float normal_velocity, float back, float p_ball_radius, float p_board_distance, float p_board_half_width, float p_board_bottom, float p_board_top, float p_board_thickness, float p_gravity)
+{
+    const float _s0 = sqrtf(((nx * nx) + (ny * ny)));
+    const bool _s1 = ((float)0.0) < _s0;
+    const float _s2 = ((float)1.0) / _s0;
+    const float _s3 = z - p_board_top;
+    const float _s4 = p_board_bottom - z;
+    const float _s5 = ((float)1.0) / p_ball_radius;
+    const float _s6 = choose(((((float)0.0) < fabsf((larger(_s3, ((float)0.0)) - larger(_s4, ((float)0.0))))) && _s1), _s5, ((float)0.0));
+    const float _s7 = p_board_distance + x;
+    const float _s8 = p_board_distance + p_board_thickness;
+    const float _s9 = -(_s8 + x);
+    const float _s10 = y - p_board_half_width;
+    const float _s11 = -(p_board_half_width + y);
+    const float _s12 = choose(((((float)0.0) < fabsf((larger(_s7, ((float)0.0)) - larger(_s9, ((float)0.0))))) && (((float)0.0) < fabsf((larger(_s10, ((float)0.0)) - larger(_s11, ((float)0.0)))))), (_s5 * _s2), ((float)0.0));
+    const float _s13 = fabsf(_s3);
+    const float _s14 = fabsf((z - p_board_bottom));
+    const float _s15 = fabsf(_s10);
+    const float _s16 = fabsf((y - (-p_board_half_width)));
+    const float _s17 = fabsf((x - (-p_board_distance)));
+    const float _s18 = fabsf((x - (-_s8)));
+    const float _s19 = smaller(_s17, _s18);
+    const float _s20 = smaller(_s16, _s19);
+    const float _s21 = smaller(_s15, _s20);
+    const float _s22 = smaller(_s14, _s21);
+    const float _s23 = fabsf(p_board_bottom);
+    const float _s24 = fabsf(p_board_top);
+    const float _s25 = ((float)9.5367431640625e-07) * (((((((float)2.0) * p_board_distance) + (((float)2.0) * p_board_half_width)) + p_board_thickness) + _s23) + _s24);
+    const float _s26 = smaller(_s13, _s22) - _s25;
+    const float _s27 = larger(_s5, _s12);
+    const float _s28 = ((float)1.0) / (((float)100.0) * _s26);
+    const float _s29 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (t * fabsf(normal_velocity)));
+    const float _s30 = t * t;
+    const float _s31 = fabsf(vx);
+    const float _s32 = fabsf(vy);
+    const float _s33 = (p_gravity * _s30) + (t * ((_s31 + _s32) + fabsf(vz)));
+    const float _s34 = ((float)2.0) * t;
+    const float _s35 = fabsf(x);
+    const float _s36 = ((((float)3.3306690738754696e-16) * p_board_distance) + (((float)2.220446049250313e-16) * p_board_thickness)) + (((float)3.3306690738754696e-16) * _s35);
+    const float _s37 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s34 * _s31) + _s35))) + (((float)2.0) * _s36);
+    const float _s38 = fabsf(y);
+    const float _s39 = (((float)3.3306690738754696e-16) * p_board_half_width) + (((float)2.220446049250313e-16) * _s38);
+    const float _s40 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s34 * _s32) + _s38))) + (((float)2.0) * _s39);
+    const float _s41 = ((float)0.5) * p_gravity;
+    const float _s42 = fabsf(z);
+    const float _s43 = ((_s41 * _s30) + (_s34 * fabsf((vz + (_s41 * t))))) + _s42;
+    const float _s44 = ((((float)2.220446049250313e-16) * _s23) + (((float)2.220446049250313e-16) * _s24)) + (((float)2.220446049250313e-16) * _s42);
+    const float _s45 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s43)) + (((float)2.0) * _s44);
+    const float _s46 = ((_s5 * _s33) * ((_s37 + _s40) + _s45)) + (((float)1.3322676295501878e-15) * _s33);
+    const float _s47 = ((float)1.125) * _s46;
+    const float _s48 = ((float)1.7763568394002505e-15) * (p_ball_radius * ((normal_velocity * normal_velocity) / (((vx * vx) + (vy * vy)) + (vz * vz))));
+    const float _s49 = (_s29 + _s46) + larger(_s47, _s48);
+    const float _s50 = (((float)8.881784197001252e-16) * p_ball_radius) + (((fabsf(nx) * _s37) + (fabsf(ny) * _s40)) + (fabsf(nz) * _s45));
+    const float _s51 = ((float)1.125) * _s50;
+    const float _s52 = (_s29 + _s50) + larger(_s51, _s48);
+    const float _s53 = place_n + _s52;
+    const bool _s54 = ((float)0.0) < back;
+    const float _s55 = place_n + _s49;
+    return {choose(_s1, (-(ny * _s2)), ((float)0.0)), choose(_s1, (nx * _s2), ((float)1.0)), _s6, _s12, choose((((float)0.0) < _s26), larger(_s27, _s28), ((float)INFINITE)), choose(_s54, larger(_s49, _s53), _s52), choose(_s54, larger(_s55, _s52), _s52), ((float)8.881784197001252e-16) + ((((float)2.0) * _s5) * ((_s39 + _s36) + _s44))};
+}
+
 /* Error of the normal, from that of the position.
    derivative of Table 2's normal. 101 operations: 11 additions, 12 subtractions, 18 multiplications, 8 divisions, 1 square root, 5 negations, 23 comparisons, 23 selections. */
 struct kernel_backboard_carry_normal_out {
@@ -4535,6 +5160,70 @@ static __device__ __forceinline__ kernel_bridge_curvature_out kernel_bridge_curv
     return {choose((smaller(_s16, _s22) < 0.0), 0.0, (1.0 / p_ball_radius))};
 }
 
+/* Tangent and curvatures at a contact, and bounds on the roundings there.
+   Table 2, running error analysis. 190 operations: 45 additions, 13 subtractions, 51 multiplications, 4 divisions, 1 square root, 6 negations, 21 absolute values, 23 comparisons, 2 conjunctions, 24 selections. */
+struct kernel_bridge_tangents_out {
+    float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
+};
+
+static __device__ __forceinline__ kernel_bridge_tangents_out kernel_bridge_tangents(float t, float x, float y, float z, float vx, float vy, float vz, float nx, float ny, float nz, float place_n, float normal_velocity, float back, float p_ball_radius, float p_ring_radius, float p_wire_radius, float p_board_distance, float p_bridge_half_width, float p_bridge_depth, float p_gravity)
+{
+    const float _s0 = sqrtf(((nx * nx) + (ny * ny)));
+    const bool _s1 = ((float)0.0) < _s0;
+    const float _s2 = ((float)1.0) / _s0;
+    const float _s3 = z - p_wire_radius;
+    const float _s4 = p_wire_radius - p_bridge_depth;
+    const float _s5 = _s4 - z;
+    const float _s6 = ((float)1.0) / p_ball_radius;
+    const float _s7 = choose(((((float)0.0) < fabsf((larger(_s3, ((float)0.0)) - larger(_s5, ((float)0.0))))) && _s1), _s6, ((float)0.0));
+    const float _s8 = p_ring_radius + x;
+    const float _s9 = -(p_board_distance + x);
+    const float _s10 = y - p_bridge_half_width;
+    const float _s11 = -(p_bridge_half_width + y);
+    const float _s12 = choose(((((float)0.0) < fabsf((larger(_s8, ((float)0.0)) - larger(_s9, ((float)0.0))))) && (((float)0.0) < fabsf((larger(_s10, ((float)0.0)) - larger(_s11, ((float)0.0)))))), (_s6 * _s2), ((float)0.0));
+    const float _s13 = fabsf(_s3);
+    const float _s14 = fabsf((z - _s4));
+    const float _s15 = fabsf(_s10);
+    const float _s16 = fabsf((y - (-p_bridge_half_width)));
+    const float _s17 = fabsf((x - (-p_ring_radius)));
+    const float _s18 = fabsf((x - (-p_board_distance)));
+    const float _s19 = smaller(_s17, _s18);
+    const float _s20 = smaller(_s16, _s19);
+    const float _s21 = smaller(_s15, _s20);
+    const float _s22 = smaller(_s14, _s21);
+    const float _s23 = smaller(_s13, _s22) - (((float)9.5367431640625e-07) * ((((p_ring_radius + p_wire_radius) + p_board_distance) + (((float)2.0) * p_bridge_half_width)) + fabsf((p_bridge_depth - p_wire_radius))));
+    const float _s24 = larger(_s6, _s12);
+    const float _s25 = ((float)1.0) / (((float)100.0) * _s23);
+    const float _s26 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (t * fabsf(normal_velocity)));
+    const float _s27 = t * t;
+    const float _s28 = fabsf(vx);
+    const float _s29 = fabsf(vy);
+    const float _s30 = (p_gravity * _s27) + (t * ((_s28 + _s29) + fabsf(vz)));
+    const float _s31 = ((float)2.0) * t;
+    const float _s32 = fabsf(x);
+    const float _s33 = ((((float)1.1102230246251565e-16) * p_ring_radius) + (((float)1.1102230246251565e-16) * p_board_distance)) + (((float)2.220446049250313e-16) * _s32);
+    const float _s34 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s31 * _s28) + _s32))) + (((float)2.0) * _s33);
+    const float _s35 = fabsf(y);
+    const float _s36 = (((float)3.3306690738754696e-16) * p_bridge_half_width) + (((float)2.220446049250313e-16) * _s35);
+    const float _s37 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s31 * _s29) + _s35))) + (((float)2.0) * _s36);
+    const float _s38 = ((float)0.5) * p_gravity;
+    const float _s39 = fabsf(z);
+    const float _s40 = ((_s38 * _s27) + (_s31 * fabsf((vz + (_s38 * t))))) + _s39;
+    const float _s41 = ((((float)5.551115123125783e-16) * p_wire_radius) + (((float)2.220446049250313e-16) * p_bridge_depth)) + (((float)3.3306690738754696e-16) * _s39);
+    const float _s42 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s40)) + (((float)2.0) * _s41);
+    const float _s43 = ((_s6 * _s30) * ((_s34 + _s37) + _s42)) + (((float)1.3322676295501878e-15) * _s30);
+    const float _s44 = ((float)1.125) * _s43;
+    const float _s45 = ((float)1.7763568394002505e-15) * (p_ball_radius * ((normal_velocity * normal_velocity) / (((vx * vx) + (vy * vy)) + (vz * vz))));
+    const float _s46 = (_s26 + _s43) + larger(_s44, _s45);
+    const float _s47 = (((float)8.881784197001252e-16) * p_ball_radius) + (((fabsf(nx) * _s34) + (fabsf(ny) * _s37)) + (fabsf(nz) * _s42));
+    const float _s48 = ((float)1.125) * _s47;
+    const float _s49 = (_s26 + _s47) + larger(_s48, _s45);
+    const float _s50 = place_n + _s49;
+    const bool _s51 = ((float)0.0) < back;
+    const float _s52 = place_n + _s46;
+    return {choose(_s1, (-(ny * _s2)), ((float)0.0)), choose(_s1, (nx * _s2), ((float)1.0)), _s7, _s12, choose((((float)0.0) < _s23), larger(_s24, _s25), ((float)INFINITE)), choose(_s51, larger(_s46, _s50), _s49), choose(_s51, larger(_s52, _s49), _s49), ((float)8.881784197001252e-16) + ((((float)2.0) * _s6) * ((_s36 + _s33) + _s41))};
+}
+
 /* Error of the normal, from that of the position.
    derivative of Table 2's normal. 101 operations: 10 additions, 13 subtractions, 18 multiplications, 8 divisions, 1 square root, 5 negations, 23 comparisons, 23 selections. */
 struct kernel_bridge_carry_normal_out {
@@ -5134,6 +5823,19 @@ static __device__ __forceinline__ kernel_end_normal_out kernel_end_normal()
     return {0.0, 0.0, 1.0};
 }
 
+/* Tangent and curvatures at a contact, and bounds on the roundings there.
+   Table 2, running error analysis. 12 operations: 4 additions, 5 multiplications, 3 absolute values. */
+struct kernel_end_tangents_out {
+    float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
+};
+
+static __device__ __forceinline__ kernel_end_tangents_out kernel_end_tangents(float t, float z, float vz, float p_gravity)
+{
+    const float _s0 = (((float)4.0) * t) * (fabsf(vz) + fabsf((vz + ((((float)0.5) * p_gravity) * t))));
+    const float _s1 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (_s0 + fabsf(z)));
+    return {(float)0.0, (float)1.0, (float)0.0, (float)0.0, (float)0.0, _s1, _s1, (float)0.0};
+}
+
 /* Time of the only arrival, the gap's first two derivatives there, and its apex.
    Eq. 3 in Table 2, solved. 29 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 1 absolute value, 2 comparisons, 6 selections. */
 struct kernel_end_arrival_out {
@@ -5224,7 +5926,7 @@ static __device__ __forceinline__ kernel_end_edge_out kernel_end_edge(double sla
    _values, _strides  where each parameter's values are, and the step from one shot's to the next one's
    _leaving           the surface that each shot touches at the start and leaves, -1 for none; or null
    _results           the arrays of results, null for what is not wanted:
-                      outcome, contacts, counts, first, time, state, rolls, slip_left, grip_lost, time_error, state_error, uncertain;
+                      outcome, contacts, counts, first, time, state, rolls, slip_left, grip_lost, time_error, state_error, uncertain, estimated;
                       and of the event log, which has 3 * _max_contacts + 1 rows
                       for each shot, of their number, and of bounds on their errors: events,
                       event_counts, event_errors */
@@ -5241,7 +5943,7 @@ static __device__ __forceinline__ void court_loop(
         return;
     const shot_parameters _given = {_values, _strides, _shot};
     const double most_contacts = (double)_max_contacts;
-    const double claims = !BOUNDS ? 0.0 : _results[14] ? 2.0 : _results[9] || _results[10] ? 1.0 : 0.0;
+    const double claims = !BOUNDS ? 0.0 : _results[15] ? 2.0 : _results[9] || _results[10] ? 1.0 : 0.0;
     const double p_ball_radius = parameter(_given, 0);
     const double p_ring_radius = parameter(_given, 1);
     const double p_wire_radius = parameter(_given, 2);
@@ -5266,9 +5968,9 @@ static __device__ __forceinline__ void court_loop(
 
     double x = 0.0, y = 0.0, z = 0.0, vx = 0.0, vy = 0.0, vz = 0.0, wx = 0.0, wy = 0.0, wz = 0.0,
         dx = 0.0, dy = 0.0, dz = 0.0, dvx = 0.0, dvy = 0.0, dvz = 0.0, dwx = 0.0, dwy = 0.0,
-        dwz = 0.0, clock = 0.0, clock_error = 0.0, last = 0.0, first = -1.0, contacts = 0.0,
-        count_0 = 0.0, count_1 = 0.0, count_2 = 0.0, held = -1.0, mode = 0.0, circled = 0.0,
-        assured = 0.0, rolls = 0.0, slip_left = 0.0, grip_lost = INFINITE,
+        dwz = 0.0, estimated = 0.0, clock = 0.0, clock_error = 0.0, last = 0.0, first = -1.0,
+        contacts = 0.0, count_0 = 0.0, count_1 = 0.0, count_2 = 0.0, held = -1.0, mode = 0.0,
+        circled = 0.0, assured = 0.0, rolls = 0.0, slip_left = 0.0, grip_lost = INFINITE,
         last_grip_deficit = INFINITE, last_grip_deficit_rate = 0.0, last_grip_clock = 0.0,
         through = 0.0, uncertain = 0.0, position_claim = 0.0, velocity_claim = 0.0,
         spin_claim = 0.0, time_claim = 0.0, outcome = -1.0, allowed = 0.0, valid = 0.0,
@@ -5328,10 +6030,29 @@ static __device__ __forceinline__ void court_loop(
         free_time = 0.0, reached = 0.0, body = 0.0, slack = 0.0, g0 = 0.0, curving = 0.0,
         left_nx = 0.0, left_ny = 0.0, left_nz = 0.0, from_x = 0.0, from_y = 0.0, from_z = 0.0,
         lifting = 0.0, belated = 0.0, shift = 0.0, dnx = 0.0, dny = 0.0, dnz = 0.0, turn = 0.0,
-        its_0_ring_impact = 0.0, its_1_ring_impact = 0.0, slip = 0.0, bounce = 0.0,
-        turning_x = 0.0, turning_y = 0.0, turning_z = 0.0, press = 0.0, weight = 0.0,
+        normal_velocity = 0.0, its_0_ring_impact = 0.0, its_1_ring_impact = 0.0, slip_share = 0.0,
+        slip_margin = 0.0, slip_speed = 0.0, slip_x = 0.0, slip_y = 0.0, slip_z = 0.0, slip = 0.0,
+        bounce = 0.0, turning_x = 0.0, turning_y = 0.0, turning_z = 0.0, press = 0.0, weight = 0.0,
         rolling_acceleration_x = 0.0, rolling_acceleration_y = 0.0, rolling_acceleration_z = 0.0,
         second_contact_gap = 0.0, rolling_gap_acceleration = 0.0, normal_cosine = 0.0;
+    float place_n = (float)0.0, place_s = (float)0.0, place_e = (float)0.0, pace_n = (float)0.0,
+        pace_s = (float)0.0, pace_e = (float)0.0, turn_n = (float)0.0, turn_z = (float)0.0,
+        position_bound = (float)0.0, velocity_bound = (float)0.0, spin_bound = (float)0.0,
+        left_ex = (float)0.0, left_ey = (float)0.0, left_bend_s = (float)0.0,
+        left_bend_e = (float)0.0, frame_nx = (float)0.0, frame_ny = (float)0.0,
+        frame_nz = (float)0.0, clock_bound = (float)0.0, onset = (float)0.0, wide_end = (float)0.0,
+        wide_low1 = (float)0.0, wide_high1 = (float)0.0, wide_low2 = (float)0.0,
+        wide_high2 = (float)0.0, lapsed = (float)0.0, short_share = (float)0.0,
+        short_t = (float)0.0, short_end = (float)0.0, short_x = (float)0.0, short_y = (float)0.0,
+        short_z = (float)0.0, short_vx = (float)0.0, short_vy = (float)0.0, short_vz = (float)0.0,
+        short_energy2 = (float)0.0, short_moment2 = (float)0.0, short_rho_start = (float)0.0,
+        short_ceiling = (float)0.0, short_flat = (float)0.0, short_tilt = (float)0.0,
+        short_jerk = (float)0.0, short_quotient_margin = (float)0.0, short_start_rate = (float)0.0,
+        short_rho_rate = (float)0.0, short_rate_margin = (float)0.0, short_low1 = (float)0.0,
+        short_high1 = (float)0.0, short_low2 = (float)0.0, short_high2 = (float)0.0,
+        tangent_x = (float)0.0, tangent_y = (float)0.0, bend_s = (float)0.0, bend_e = (float)0.0,
+        sharpest_bend = (float)0.0, root_offset = (float)0.0, root_level = (float)0.0,
+        normal_rounding = (float)0.0, proved_delay = (float)0.0;
     bool permitted = false, in_range = false, close = false, limited = false, in_contact = false,
         rests = false, rolling = false, arrives = false, possible = false, open = false,
         certain = false, searching = false, representable = false, fits = false, stepping = false,
@@ -5340,19 +6061,9 @@ static __device__ __forceinline__ void court_loop(
         later_near = false, begins = false, leaves = false, here = false, circling = false,
         loses = false, beside = false, over = false, endless = false, moves = false, ends = false,
         touches = false, edge = false, undecided = false, hopped = false, meeting = false,
-        slow = false, again = false, struck_0 = false, put_on = false, nearly = false,
-        settles = false, lodges = false, slides = false, unpressed = false,
-        ends_by_time_limit = false, reports = false;
-    float onset = (float)0.0, wide_end = (float)0.0, wide_low1 = (float)0.0, wide_high1 = (float)0.0,
-        wide_low2 = (float)0.0, wide_high2 = (float)0.0, lapsed = (float)0.0,
-        short_share = (float)0.0, short_t = (float)0.0, short_end = (float)0.0,
-        short_x = (float)0.0, short_y = (float)0.0, short_z = (float)0.0, short_vx = (float)0.0,
-        short_vy = (float)0.0, short_vz = (float)0.0, short_energy2 = (float)0.0,
-        short_moment2 = (float)0.0, short_rho_start = (float)0.0, short_ceiling = (float)0.0,
-        short_flat = (float)0.0, short_tilt = (float)0.0, short_jerk = (float)0.0,
-        short_quotient_margin = (float)0.0, short_start_rate = (float)0.0,
-        short_rho_rate = (float)0.0, short_rate_margin = (float)0.0, short_low1 = (float)0.0,
-        short_high1 = (float)0.0, short_low2 = (float)0.0, short_high2 = (float)0.0;
+        slow = false, again = false, proving = false, proves_end = false, struck_0 = false,
+        put_on = false, nearly = false, settles = false, lodges = false, slides = false,
+        unpressed = false, ends_by_time_limit = false, reports = false;
     x = _states[9 * _shot + 0];
     y = _states[9 * _shot + 1];
     z = _states[9 * _shot + 2];
@@ -5364,8 +6075,8 @@ static __device__ __forceinline__ void court_loop(
     wz = _states[9 * _shot + 8];
     last = _leaving ? (double)_leaving[_shot] : -1.0;
 
-    court_event *_events = (court_event *)_results[12];
-    court_event_errors *_errors = BOUNDS ? (court_event_errors *)_results[14] : 0;
+    court_event *_events = (court_event *)_results[13];
+    court_event_errors *_errors = BOUNDS ? (court_event_errors *)_results[15] : 0;
     int _used = 0;
     const long long _rows = _shot * (3 * (long long)_max_contacts + 1);
     if (_events)
@@ -5403,7 +6114,7 @@ static __device__ __forceinline__ void court_loop(
 
     while (outcome < 0.0) {
         /* To the next event. */
-        const kernel_error_bounds_out _o8 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+        const kernel_error_bounds_out _o8 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, position_bound, velocity_bound, spin_bound, estimated, clock_bound);
         time_error = _o8.time_error;
         if (BOUNDS) {
             position_error = _o8.position_error;
@@ -6268,7 +6979,7 @@ static __device__ __forceinline__ void court_loop(
                 if (!rolling)
                     break;
                 if (BOUNDS) {
-                    const kernel_error_bounds_out _o189 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    const kernel_error_bounds_out _o189 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, position_bound, velocity_bound, spin_bound, estimated, clock_bound);
                     position_error = _o189.position_error;
                     velocity_error = _o189.velocity_error;
                 }
@@ -6848,7 +7559,7 @@ static __device__ __forceinline__ void court_loop(
                 if (!circling)
                     break;
                 if (BOUNDS) {
-                    const kernel_error_bounds_out _o296 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    const kernel_error_bounds_out _o296 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, position_bound, velocity_bound, spin_bound, estimated, clock_bound);
                     position_error = _o296.position_error;
                     velocity_error = _o296.velocity_error;
                 }
@@ -7261,7 +7972,7 @@ static __device__ __forceinline__ void court_loop(
             rolling = _o362.rolling;
             if (leaves) {
                 if (BOUNDS) {
-                    const kernel_error_bounds_out _o363 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                    const kernel_error_bounds_out _o363 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, position_bound, velocity_bound, spin_bound, estimated, clock_bound);
                     position_error = _o363.position_error;
                     velocity_error = _o363.velocity_error;
                 }
@@ -7620,363 +8331,473 @@ static __device__ __forceinline__ void court_loop(
                 dny = _o460.dny;
                 dnz = _o460.dnz;
                 turn = _o460.turn;
-                const kernel_here_out _o461 = kernel_here(0.0, which);
-                here = _o461.here;
+                const kernel_normal_velocity_out _o461 = kernel_normal_velocity(vx, vy, vz, nx, ny, nz);
+                normal_velocity = _o461.normal_velocity;
+                const kernel_came_back_out _o462 = kernel_came_back(last, which);
+                back = _o462.back;
+                const kernel_end_tangents_out _o463 = kernel_end_tangents(when, z, vz, p_gravity);
+                tangent_x = _o463.tangent_x;
+                tangent_y = _o463.tangent_y;
+                bend_s = _o463.bend_s;
+                bend_e = _o463.bend_e;
+                sharpest_bend = _o463.sharpest_bend;
+                root_offset = _o463.root_offset;
+                root_level = _o463.root_level;
+                normal_rounding = _o463.normal_rounding;
+                const kernel_here_out _o464 = kernel_here(0.0, which);
+                here = _o464.here;
                 if (here) {
-                    const kernel_ring_carry_normal_out _o462 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                    dnx = _o462.dnx;
-                    dny = _o462.dny;
-                    dnz = _o462.dnz;
-                    turn = _o462.turn;
+                    const kernel_ring_tangents_out _o465 = kernel_ring_tangents(when, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    tangent_x = _o465.tangent_x;
+                    tangent_y = _o465.tangent_y;
+                    bend_s = _o465.bend_s;
+                    bend_e = _o465.bend_e;
+                    sharpest_bend = _o465.sharpest_bend;
+                    root_offset = _o465.root_offset;
+                    root_level = _o465.root_level;
+                    normal_rounding = _o465.normal_rounding;
                 }
-                const kernel_here_out _o463 = kernel_here(1.0, which);
-                here = _o463.here;
+                const kernel_here_out _o466 = kernel_here(1.0, which);
+                here = _o466.here;
                 if (here) {
-                    const kernel_backboard_carry_normal_out _o464 = kernel_backboard_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    dnx = _o464.dnx;
-                    dny = _o464.dny;
-                    dnz = _o464.dnz;
-                    turn = _o464.turn;
+                    const kernel_backboard_tangents_out _o467 = kernel_backboard_tangents(when, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+                    tangent_x = _o467.tangent_x;
+                    tangent_y = _o467.tangent_y;
+                    bend_s = _o467.bend_s;
+                    bend_e = _o467.bend_e;
+                    sharpest_bend = _o467.sharpest_bend;
+                    root_offset = _o467.root_offset;
+                    root_level = _o467.root_level;
+                    normal_rounding = _o467.normal_rounding;
                 }
-                const kernel_here_out _o465 = kernel_here(2.0, which);
-                here = _o465.here;
+                const kernel_here_out _o468 = kernel_here(2.0, which);
+                here = _o468.here;
                 if (here) {
-                    const kernel_bridge_carry_normal_out _o466 = kernel_bridge_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    dnx = _o466.dnx;
-                    dny = _o466.dny;
-                    dnz = _o466.dnz;
-                    turn = _o466.turn;
+                    const kernel_bridge_tangents_out _o469 = kernel_bridge_tangents(when, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+                    tangent_x = _o469.tangent_x;
+                    tangent_y = _o469.tangent_y;
+                    bend_s = _o469.bend_s;
+                    bend_e = _o469.bend_e;
+                    sharpest_bend = _o469.sharpest_bend;
+                    root_offset = _o469.root_offset;
+                    root_level = _o469.root_level;
+                    normal_rounding = _o469.normal_rounding;
+                }
+                const kernel_proving_out _o470 = kernel_proving(ends, touches, estimated);
+                proving = _o470.proving;
+                proves_end = _o470.proves_end;
+                if (proves_end) {
+                    const kernel_bound_end_out _o471 = kernel_bound_end(when, x, y, z, vx, vy, vz, clock, position_bound, velocity_bound, spin_bound, root_offset, normal_velocity, p_gravity);
+                    position_bound = _o471.position_bound;
+                    velocity_bound = _o471.velocity_bound;
+                    spin_bound = _o471.spin_bound;
+                    proved_delay = _o471.delay;
+                    const kernel_clock_bound_sum_out _o472 = kernel_clock_bound_sum(proved_delay, clock_bound);
+                    clock_bound = _o472.clock_bound;
+                }
+                const kernel_here_out _o473 = kernel_here(0.0, which);
+                here = _o473.here;
+                if (here) {
+                    const kernel_ring_carry_normal_out _o474 = kernel_ring_carry_normal(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
+                    dnx = _o474.dnx;
+                    dny = _o474.dny;
+                    dnz = _o474.dnz;
+                    turn = _o474.turn;
+                }
+                const kernel_here_out _o475 = kernel_here(1.0, which);
+                here = _o475.here;
+                if (here) {
+                    const kernel_backboard_carry_normal_out _o476 = kernel_backboard_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    dnx = _o476.dnx;
+                    dny = _o476.dny;
+                    dnz = _o476.dnz;
+                    turn = _o476.turn;
+                }
+                const kernel_here_out _o477 = kernel_here(2.0, which);
+                here = _o477.here;
+                if (here) {
+                    const kernel_bridge_carry_normal_out _o478 = kernel_bridge_carry_normal(x, y, z, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    dnx = _o478.dnx;
+                    dny = _o478.dny;
+                    dnz = _o478.dnz;
+                    turn = _o478.turn;
                 }
             }
-            const kernel_other_kind_out _o467 = kernel_other_kind();
-            struck_0 = _o467.of_this_kind;
-            const kernel_ring_impact_taken_out _o468 = kernel_ring_impact_taken(p_ring_restitution, p_ring_friction);
-            its_0_ring_impact = _o468.its_0;
-            its_1_ring_impact = _o468.its_1;
+            const kernel_other_kind_out _o479 = kernel_other_kind();
+            struck_0 = _o479.of_this_kind;
+            const kernel_ring_impact_taken_out _o480 = kernel_ring_impact_taken(p_ring_restitution, p_ring_friction);
+            its_0_ring_impact = _o480.its_0;
+            its_1_ring_impact = _o480.its_1;
             for (size_t _row = 0; _row < 3; _row++) {
                 const double own_1 = parameter(_given, table_0[_row][0]);
                 const double own_2 = parameter(_given, table_0[_row][1]);
                 const double own_index = table_1[_row][0];
-                const kernel_here_out _o469 = kernel_here(own_index, which);
-                here = _o469.here;
+                const kernel_here_out _o481 = kernel_here(own_index, which);
+                here = _o481.here;
                 if (here) {
-                    const kernel_ring_impact_taken_out _o470 = kernel_ring_impact_taken(own_2, own_1);
-                    struck_0 = _o470.of_this_kind;
-                    its_0_ring_impact = _o470.its_0;
-                    its_1_ring_impact = _o470.its_1;
+                    const kernel_ring_impact_taken_out _o482 = kernel_ring_impact_taken(own_2, own_1);
+                    struck_0 = _o482.of_this_kind;
+                    its_0_ring_impact = _o482.its_0;
+                    its_1_ring_impact = _o482.its_1;
                 }
             }
             if (struck_0) {
                 if (BOUNDS) {
-                    const kernel_ring_impact_undecided_out _o471 = kernel_ring_impact_undecided(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
-                    undecided = _o471.undecided;
-                    const kernel_undecided_out _o472 = kernel_undecided(uncertain, undecided);
-                    uncertain = _o472.uncertain;
-                    const kernel_carry_ring_impact_out _o473 = kernel_carry_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
-                    dvx = _o473.dvx;
-                    dvy = _o473.dvy;
-                    dvz = _o473.dvz;
-                    dwx = _o473.dwx;
-                    dwy = _o473.dwy;
-                    dwz = _o473.dwz;
+                    if (proving) {
+                        const kernel_ring_impact_slip_out _o483 = kernel_ring_impact_slip(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                        slip_share = _o483.slip_share;
+                        slip_margin = _o483.slip_margin;
+                        slip_speed = _o483.slip_speed;
+                        slip_x = _o483.slip_x;
+                        slip_y = _o483.slip_y;
+                        slip_z = _o483.slip_z;
+                        const kernel_bound_ring_impact_out _o484 = kernel_bound_ring_impact(when, x, y, z, vx, vy, vz, wx, wy, wz, nx, ny, nz, clock, frame_nx, frame_ny, frame_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, normal_velocity, back, slip_share, slip_margin, slip_speed, slip_x, slip_y, slip_z, p_ball_radius, p_gravity, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                        place_n = _o484.place_n;
+                        place_s = _o484.place_s;
+                        place_e = _o484.place_e;
+                        pace_n = _o484.pace_n;
+                        pace_s = _o484.pace_s;
+                        pace_e = _o484.pace_e;
+                        turn_n = _o484.turn_n;
+                        turn_z = _o484.turn_z;
+                        position_bound = _o484.position_bound;
+                        velocity_bound = _o484.velocity_bound;
+                        spin_bound = _o484.spin_bound;
+                        frame_nx = _o484.left_nx;
+                        frame_ny = _o484.left_ny;
+                        frame_nz = _o484.left_nz;
+                        left_ex = _o484.left_ex;
+                        left_ey = _o484.left_ey;
+                        left_bend_s = _o484.left_bend_s;
+                        left_bend_e = _o484.left_bend_e;
+                        proved_delay = _o484.delay;
+                        const kernel_clock_bound_sum_out _o485 = kernel_clock_bound_sum(proved_delay, clock_bound);
+                        clock_bound = _o485.clock_bound;
+                    }
+                    const kernel_ring_impact_undecided_out _o486 = kernel_ring_impact_undecided(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                    undecided = _o486.undecided;
+                    const kernel_undecided_out _o487 = kernel_undecided(uncertain, undecided);
+                    uncertain = _o487.uncertain;
+                    const kernel_carry_ring_impact_out _o488 = kernel_carry_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                    dvx = _o488.dvx;
+                    dvy = _o488.dvy;
+                    dvz = _o488.dvz;
+                    dwx = _o488.dwx;
+                    dwy = _o488.dwy;
+                    dwz = _o488.dwz;
                 }
-                const kernel_ring_impact_out _o474 = kernel_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
-                vx = _o474.vx;
-                vy = _o474.vy;
-                vz = _o474.vz;
-                wx = _o474.wx;
-                wy = _o474.wy;
-                wz = _o474.wz;
+                const kernel_ring_impact_out _o489 = kernel_ring_impact(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
+                vx = _o489.vx;
+                vy = _o489.vy;
+                vz = _o489.vz;
+                wx = _o489.wx;
+                wy = _o489.wy;
+                wz = _o489.wz;
+            }
+            if (BOUNDS) {
+                if (touches) {
+                    const kernel_doubt_out _o490 = kernel_doubt(vx, vy, vz, nx, ny, nz, position_bound, velocity_bound, spin_bound, estimated, p_ball_radius, p_gravity);
+                    estimated = _o490.estimated;
+                }
             }
             if (touches) {
-                const kernel_touched_out _o475 = kernel_touched(which, body, first);
-                first = _o475.first;
-                last = _o475.last;
-                const kernel_leaves_slowly_out _o476 = kernel_leaves_slowly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, position_error);
-                slow = _o476.slow;
+                const kernel_touched_out _o491 = kernel_touched(which, body, first);
+                first = _o491.first;
+                last = _o491.last;
+                const kernel_leaves_slowly_out _o492 = kernel_leaves_slowly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz, position_error);
+                slow = _o492.slow;
                 if (BOUNDS)
-                    assured = _o476.assured;
+                    assured = _o492.assured;
             }
         }
         if (slow) {
-            const kernel_ring_normal_out _o477 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-            nx = _o477.nx;
-            ny = _o477.ny;
-            nz = _o477.nz;
-            const kernel_here_out _o478 = kernel_here(1.0, which);
-            here = _o478.here;
+            if (BOUNDS) {
+                const kernel_estimates_out _o493 = kernel_estimates();
+                estimated = _o493.estimated;
+            }
+            const kernel_ring_normal_out _o494 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+            nx = _o494.nx;
+            ny = _o494.ny;
+            nz = _o494.nz;
+            const kernel_here_out _o495 = kernel_here(1.0, which);
+            here = _o495.here;
             if (here) {
-                const kernel_backboard_normal_out _o479 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                nx = _o479.nx;
-                ny = _o479.ny;
-                nz = _o479.nz;
+                const kernel_backboard_normal_out _o496 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                nx = _o496.nx;
+                ny = _o496.ny;
+                nz = _o496.nz;
             }
-            const kernel_here_out _o480 = kernel_here(2.0, which);
-            here = _o480.here;
-            if (here) {
-                const kernel_bridge_normal_out _o481 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                nx = _o481.nx;
-                ny = _o481.ny;
-                nz = _o481.nz;
-            }
-            const kernel_off_at_start_out _o482 = kernel_off_at_start(mode);
-            put_on = _o482.put_on;
-            if (put_on) {
-                const kernel_ring_distance_out _o483 = kernel_ring_distance(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
-                gap = _o483.gap;
-                const kernel_here_out _o484 = kernel_here(1.0, which);
-                here = _o484.here;
-                if (here) {
-                    const kernel_backboard_distance_out _o485 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
-                    gap = _o485.gap;
-                }
-                const kernel_here_out _o486 = kernel_here(2.0, which);
-                here = _o486.here;
-                if (here) {
-                    const kernel_bridge_distance_out _o487 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
-                    gap = _o487.gap;
-                }
-                const kernel_placed_at_start_out _o488 = kernel_placed_at_start(x, y, z, nx, ny, nz, gap);
-                x = _o488.x;
-                y = _o488.y;
-                z = _o488.z;
-                if (BOUNDS) {
-                    const kernel_start_errors_out _o489 = kernel_start_errors(p_ball_radius, x, y, z, dx, dy, dz);
-                    dx = _o489.dx;
-                    dy = _o489.dy;
-                    dz = _o489.dz;
-                }
-                const kernel_ring_normal_out _o490 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = _o490.nx;
-                ny = _o490.ny;
-                nz = _o490.nz;
-                const kernel_here_out _o491 = kernel_here(1.0, which);
-                here = _o491.here;
-                if (here) {
-                    const kernel_backboard_normal_out _o492 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
-                    nx = _o492.nx;
-                    ny = _o492.ny;
-                    nz = _o492.nz;
-                }
-                const kernel_here_out _o493 = kernel_here(2.0, which);
-                here = _o493.here;
-                if (here) {
-                    const kernel_bridge_normal_out _o494 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
-                    nx = _o494.nx;
-                    ny = _o494.ny;
-                    nz = _o494.nz;
-                }
-            }
-            const kernel_nearly_out _o495 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
-            nearly = _o495.nearly;
-            const kernel_gripped_out _o496 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            rolled_x = _o496.rolled_x;
-            rolled_y = _o496.rolled_y;
-            rolled_z = _o496.rolled_z;
-            slip = _o496.slip;
-            bounce = _o496.bounce;
-            const kernel_here_out _o497 = kernel_here(0.0, which);
+            const kernel_here_out _o497 = kernel_here(2.0, which);
             here = _o497.here;
             if (here) {
-                const kernel_ring_turning_out _o498 = kernel_ring_turning(p_ball_radius, p_ring_radius, p_wire_radius, x, y, rolled_x, rolled_y, rolled_z);
-                turning_x = _o498.turning_x;
-                turning_y = _o498.turning_y;
-                turning_z = _o498.turning_z;
-                const kernel_pressed_on_out _o499 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o499.press;
-                weight = _o499.weight;
-                rolling_friction = _o499.rolling_friction;
-                rolling_acceleration_x = _o499.rolling_acceleration_x;
-                rolling_acceleration_y = _o499.rolling_acceleration_y;
-                rolling_acceleration_z = _o499.rolling_acceleration_z;
-                const kernel_isolated_out _o500 = kernel_isolated();
-                nearest = _o500.nearest;
-                second_contact_gap = _o500.second_contact_gap;
-                const kernel_backboard_closing_out _o501 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o501.gap;
-                nearing = _o501.nearing;
-                rolling_gap_acceleration = _o501.rolling_gap_acceleration;
-                normal_cosine = _o501.normal_cosine;
-                const kernel_near_body_out _o502 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o502.nearest;
-                second_contact_gap = _o502.second_contact_gap;
-                const kernel_bridge_closing_out _o503 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o503.gap;
-                nearing = _o503.nearing;
-                rolling_gap_acceleration = _o503.rolling_gap_acceleration;
-                normal_cosine = _o503.normal_cosine;
-                const kernel_near_body_out _o504 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o504.nearest;
-                second_contact_gap = _o504.second_contact_gap;
-                const kernel_end_beside_out _o505 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o505.gap;
-                const kernel_near_end_plane_out _o506 = kernel_near_end_plane(gap, nearest);
-                nearest = _o506.nearest;
-                const kernel_ring_separation_out _o507 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
-                lift = _o507.lift;
-                gap_jerk = _o507.gap_jerk;
-                const kernel_ring_impact_settling_out _o508 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_ring_friction, p_ring_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
-                settles = _o508.settles;
-                lodges = _o508.lodges;
-                slides = _o508.slides;
-                unpressed = _o508.unpressed;
-                undecided = _o508.undecided;
-                if (BOUNDS)
-                    assured = _o508.assured;
-                const kernel_settled_out _o509 = kernel_settled(0.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
-                mode = _o509.mode;
-                held = _o509.held;
-                outcome = _o509.outcome;
-                slip_left = _o509.slip_left;
-                if (BOUNDS)
-                    uncertain = _o509.uncertain;
+                const kernel_bridge_normal_out _o498 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                nx = _o498.nx;
+                ny = _o498.ny;
+                nz = _o498.nz;
             }
-            const kernel_here_out _o510 = kernel_here(1.0, which);
-            here = _o510.here;
+            const kernel_off_at_start_out _o499 = kernel_off_at_start(mode);
+            put_on = _o499.put_on;
+            if (put_on) {
+                const kernel_ring_distance_out _o500 = kernel_ring_distance(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z);
+                gap = _o500.gap;
+                const kernel_here_out _o501 = kernel_here(1.0, which);
+                here = _o501.here;
+                if (here) {
+                    const kernel_backboard_distance_out _o502 = kernel_backboard_distance(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z);
+                    gap = _o502.gap;
+                }
+                const kernel_here_out _o503 = kernel_here(2.0, which);
+                here = _o503.here;
+                if (here) {
+                    const kernel_bridge_distance_out _o504 = kernel_bridge_distance(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z);
+                    gap = _o504.gap;
+                }
+                const kernel_placed_at_start_out _o505 = kernel_placed_at_start(x, y, z, nx, ny, nz, gap);
+                x = _o505.x;
+                y = _o505.y;
+                z = _o505.z;
+                if (BOUNDS) {
+                    const kernel_start_errors_out _o506 = kernel_start_errors(p_ball_radius, x, y, z, dx, dy, dz);
+                    dx = _o506.dx;
+                    dy = _o506.dy;
+                    dz = _o506.dz;
+                }
+                const kernel_ring_normal_out _o507 = kernel_ring_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                nx = _o507.nx;
+                ny = _o507.ny;
+                nz = _o507.nz;
+                const kernel_here_out _o508 = kernel_here(1.0, which);
+                here = _o508.here;
+                if (here) {
+                    const kernel_backboard_normal_out _o509 = kernel_backboard_normal(x, y, z, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness);
+                    nx = _o509.nx;
+                    ny = _o509.ny;
+                    nz = _o509.nz;
+                }
+                const kernel_here_out _o510 = kernel_here(2.0, which);
+                here = _o510.here;
+                if (here) {
+                    const kernel_bridge_normal_out _o511 = kernel_bridge_normal(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth);
+                    nx = _o511.nx;
+                    ny = _o511.ny;
+                    nz = _o511.nz;
+                }
+            }
+            const kernel_nearly_out _o512 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
+            nearly = _o512.nearly;
+            const kernel_gripped_out _o513 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+            rolled_x = _o513.rolled_x;
+            rolled_y = _o513.rolled_y;
+            rolled_z = _o513.rolled_z;
+            slip = _o513.slip;
+            bounce = _o513.bounce;
+            const kernel_here_out _o514 = kernel_here(0.0, which);
+            here = _o514.here;
             if (here) {
-                const kernel_backboard_turning_out _o511 = kernel_backboard_turning(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, rolled_x, rolled_y, rolled_z);
-                turning_x = _o511.turning_x;
-                turning_y = _o511.turning_y;
-                turning_z = _o511.turning_z;
-                const kernel_pressed_on_out _o512 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o512.press;
-                weight = _o512.weight;
-                rolling_friction = _o512.rolling_friction;
-                rolling_acceleration_x = _o512.rolling_acceleration_x;
-                rolling_acceleration_y = _o512.rolling_acceleration_y;
-                rolling_acceleration_z = _o512.rolling_acceleration_z;
-                const kernel_isolated_out _o513 = kernel_isolated();
-                nearest = _o513.nearest;
-                second_contact_gap = _o513.second_contact_gap;
-                const kernel_ring_closing_out _o514 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o514.gap;
-                nearing = _o514.nearing;
-                rolling_gap_acceleration = _o514.rolling_gap_acceleration;
-                normal_cosine = _o514.normal_cosine;
-                const kernel_near_body_out _o515 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o515.nearest;
-                second_contact_gap = _o515.second_contact_gap;
-                const kernel_bridge_closing_out _o516 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o516.gap;
-                nearing = _o516.nearing;
-                rolling_gap_acceleration = _o516.rolling_gap_acceleration;
-                normal_cosine = _o516.normal_cosine;
-                const kernel_near_body_out _o517 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_ring_turning_out _o515 = kernel_ring_turning(p_ball_radius, p_ring_radius, p_wire_radius, x, y, rolled_x, rolled_y, rolled_z);
+                turning_x = _o515.turning_x;
+                turning_y = _o515.turning_y;
+                turning_z = _o515.turning_z;
+                const kernel_pressed_on_out _o516 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o516.press;
+                weight = _o516.weight;
+                rolling_friction = _o516.rolling_friction;
+                rolling_acceleration_x = _o516.rolling_acceleration_x;
+                rolling_acceleration_y = _o516.rolling_acceleration_y;
+                rolling_acceleration_z = _o516.rolling_acceleration_z;
+                const kernel_isolated_out _o517 = kernel_isolated();
                 nearest = _o517.nearest;
                 second_contact_gap = _o517.second_contact_gap;
-                const kernel_end_beside_out _o518 = kernel_end_beside(p_end_depth, z, vz);
+                const kernel_backboard_closing_out _o518 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
                 gap = _o518.gap;
-                const kernel_near_end_plane_out _o519 = kernel_near_end_plane(gap, nearest);
+                nearing = _o518.nearing;
+                rolling_gap_acceleration = _o518.rolling_gap_acceleration;
+                normal_cosine = _o518.normal_cosine;
+                const kernel_near_body_out _o519 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o519.nearest;
-                const kernel_backboard_separation_out _o520 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
-                lift = _o520.lift;
-                gap_jerk = _o520.gap_jerk;
-                const kernel_ring_impact_settling_out _o521 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_backboard_friction, p_backboard_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
-                settles = _o521.settles;
-                lodges = _o521.lodges;
-                slides = _o521.slides;
-                unpressed = _o521.unpressed;
-                undecided = _o521.undecided;
+                second_contact_gap = _o519.second_contact_gap;
+                const kernel_bridge_closing_out _o520 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o520.gap;
+                nearing = _o520.nearing;
+                rolling_gap_acceleration = _o520.rolling_gap_acceleration;
+                normal_cosine = _o520.normal_cosine;
+                const kernel_near_body_out _o521 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o521.nearest;
+                second_contact_gap = _o521.second_contact_gap;
+                const kernel_end_beside_out _o522 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o522.gap;
+                const kernel_near_end_plane_out _o523 = kernel_near_end_plane(gap, nearest);
+                nearest = _o523.nearest;
+                const kernel_ring_separation_out _o524 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
+                lift = _o524.lift;
+                gap_jerk = _o524.gap_jerk;
+                const kernel_ring_impact_settling_out _o525 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_ring_friction, p_ring_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
+                settles = _o525.settles;
+                lodges = _o525.lodges;
+                slides = _o525.slides;
+                unpressed = _o525.unpressed;
+                undecided = _o525.undecided;
                 if (BOUNDS)
-                    assured = _o521.assured;
-                const kernel_settled_out _o522 = kernel_settled(1.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
-                mode = _o522.mode;
-                held = _o522.held;
-                outcome = _o522.outcome;
-                slip_left = _o522.slip_left;
+                    assured = _o525.assured;
+                const kernel_settled_out _o526 = kernel_settled(0.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                mode = _o526.mode;
+                held = _o526.held;
+                outcome = _o526.outcome;
+                slip_left = _o526.slip_left;
                 if (BOUNDS)
-                    uncertain = _o522.uncertain;
+                    uncertain = _o526.uncertain;
             }
-            const kernel_here_out _o523 = kernel_here(2.0, which);
-            here = _o523.here;
+            const kernel_here_out _o527 = kernel_here(1.0, which);
+            here = _o527.here;
             if (here) {
-                const kernel_bridge_turning_out _o524 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
-                turning_x = _o524.turning_x;
-                turning_y = _o524.turning_y;
-                turning_z = _o524.turning_z;
-                const kernel_pressed_on_out _o525 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o525.press;
-                weight = _o525.weight;
-                rolling_friction = _o525.rolling_friction;
-                rolling_acceleration_x = _o525.rolling_acceleration_x;
-                rolling_acceleration_y = _o525.rolling_acceleration_y;
-                rolling_acceleration_z = _o525.rolling_acceleration_z;
-                const kernel_isolated_out _o526 = kernel_isolated();
-                nearest = _o526.nearest;
-                second_contact_gap = _o526.second_contact_gap;
-                const kernel_ring_closing_out _o527 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o527.gap;
-                nearing = _o527.nearing;
-                rolling_gap_acceleration = _o527.rolling_gap_acceleration;
-                normal_cosine = _o527.normal_cosine;
-                const kernel_near_body_out _o528 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o528.nearest;
-                second_contact_gap = _o528.second_contact_gap;
-                const kernel_backboard_closing_out _o529 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o529.gap;
-                nearing = _o529.nearing;
-                rolling_gap_acceleration = _o529.rolling_gap_acceleration;
-                normal_cosine = _o529.normal_cosine;
-                const kernel_near_body_out _o530 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                const kernel_backboard_turning_out _o528 = kernel_backboard_turning(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, rolled_x, rolled_y, rolled_z);
+                turning_x = _o528.turning_x;
+                turning_y = _o528.turning_y;
+                turning_z = _o528.turning_z;
+                const kernel_pressed_on_out _o529 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o529.press;
+                weight = _o529.weight;
+                rolling_friction = _o529.rolling_friction;
+                rolling_acceleration_x = _o529.rolling_acceleration_x;
+                rolling_acceleration_y = _o529.rolling_acceleration_y;
+                rolling_acceleration_z = _o529.rolling_acceleration_z;
+                const kernel_isolated_out _o530 = kernel_isolated();
                 nearest = _o530.nearest;
                 second_contact_gap = _o530.second_contact_gap;
-                const kernel_end_beside_out _o531 = kernel_end_beside(p_end_depth, z, vz);
+                const kernel_ring_closing_out _o531 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
                 gap = _o531.gap;
-                const kernel_near_end_plane_out _o532 = kernel_near_end_plane(gap, nearest);
+                nearing = _o531.nearing;
+                rolling_gap_acceleration = _o531.rolling_gap_acceleration;
+                normal_cosine = _o531.normal_cosine;
+                const kernel_near_body_out _o532 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
                 nearest = _o532.nearest;
-                const kernel_bridge_separation_out _o533 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                lift = _o533.lift;
-                gap_jerk = _o533.gap_jerk;
-                const kernel_ring_impact_settling_out _o534 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_bridge_friction, p_bridge_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
-                settles = _o534.settles;
-                lodges = _o534.lodges;
-                slides = _o534.slides;
-                unpressed = _o534.unpressed;
-                undecided = _o534.undecided;
+                second_contact_gap = _o532.second_contact_gap;
+                const kernel_bridge_closing_out _o533 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o533.gap;
+                nearing = _o533.nearing;
+                rolling_gap_acceleration = _o533.rolling_gap_acceleration;
+                normal_cosine = _o533.normal_cosine;
+                const kernel_near_body_out _o534 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o534.nearest;
+                second_contact_gap = _o534.second_contact_gap;
+                const kernel_end_beside_out _o535 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o535.gap;
+                const kernel_near_end_plane_out _o536 = kernel_near_end_plane(gap, nearest);
+                nearest = _o536.nearest;
+                const kernel_backboard_separation_out _o537 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
+                lift = _o537.lift;
+                gap_jerk = _o537.gap_jerk;
+                const kernel_ring_impact_settling_out _o538 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_backboard_friction, p_backboard_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
+                settles = _o538.settles;
+                lodges = _o538.lodges;
+                slides = _o538.slides;
+                unpressed = _o538.unpressed;
+                undecided = _o538.undecided;
                 if (BOUNDS)
-                    assured = _o534.assured;
-                const kernel_settled_out _o535 = kernel_settled(2.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
-                mode = _o535.mode;
-                held = _o535.held;
-                outcome = _o535.outcome;
-                slip_left = _o535.slip_left;
+                    assured = _o538.assured;
+                const kernel_settled_out _o539 = kernel_settled(1.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                mode = _o539.mode;
+                held = _o539.held;
+                outcome = _o539.outcome;
+                slip_left = _o539.slip_left;
                 if (BOUNDS)
-                    uncertain = _o535.uncertain;
+                    uncertain = _o539.uncertain;
+            }
+            const kernel_here_out _o540 = kernel_here(2.0, which);
+            here = _o540.here;
+            if (here) {
+                const kernel_bridge_turning_out _o541 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
+                turning_x = _o541.turning_x;
+                turning_y = _o541.turning_y;
+                turning_z = _o541.turning_z;
+                const kernel_pressed_on_out _o542 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o542.press;
+                weight = _o542.weight;
+                rolling_friction = _o542.rolling_friction;
+                rolling_acceleration_x = _o542.rolling_acceleration_x;
+                rolling_acceleration_y = _o542.rolling_acceleration_y;
+                rolling_acceleration_z = _o542.rolling_acceleration_z;
+                const kernel_isolated_out _o543 = kernel_isolated();
+                nearest = _o543.nearest;
+                second_contact_gap = _o543.second_contact_gap;
+                const kernel_ring_closing_out _o544 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o544.gap;
+                nearing = _o544.nearing;
+                rolling_gap_acceleration = _o544.rolling_gap_acceleration;
+                normal_cosine = _o544.normal_cosine;
+                const kernel_near_body_out _o545 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o545.nearest;
+                second_contact_gap = _o545.second_contact_gap;
+                const kernel_backboard_closing_out _o546 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o546.gap;
+                nearing = _o546.nearing;
+                rolling_gap_acceleration = _o546.rolling_gap_acceleration;
+                normal_cosine = _o546.normal_cosine;
+                const kernel_near_body_out _o547 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o547.nearest;
+                second_contact_gap = _o547.second_contact_gap;
+                const kernel_end_beside_out _o548 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o548.gap;
+                const kernel_near_end_plane_out _o549 = kernel_near_end_plane(gap, nearest);
+                nearest = _o549.nearest;
+                const kernel_bridge_separation_out _o550 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                lift = _o550.lift;
+                gap_jerk = _o550.gap_jerk;
+                const kernel_ring_impact_settling_out _o551 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_bridge_friction, p_bridge_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
+                settles = _o551.settles;
+                lodges = _o551.lodges;
+                slides = _o551.slides;
+                unpressed = _o551.unpressed;
+                undecided = _o551.undecided;
+                if (BOUNDS)
+                    assured = _o551.assured;
+                const kernel_settled_out _o552 = kernel_settled(2.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                mode = _o552.mode;
+                held = _o552.held;
+                outcome = _o552.outcome;
+                slip_left = _o552.slip_left;
+                if (BOUNDS)
+                    uncertain = _o552.uncertain;
             }
         }
         if (BOUNDS) {
             if (limited) {
-                const kernel_ends_by_time_limit_out _o536 = kernel_ends_by_time_limit(4.0, which, claims);
-                ends_by_time_limit = _o536.ends_by_time_limit;
+                const kernel_ends_by_time_limit_out _o553 = kernel_ends_by_time_limit(4.0, which, claims);
+                ends_by_time_limit = _o553.ends_by_time_limit;
                 if (ends_by_time_limit) {
-                    const kernel_carry_time_out _o537 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = _o537.dx;
-                    dy = _o537.dy;
-                    dz = _o537.dz;
-                    dvx = _o537.dvx;
-                    dvy = _o537.dvy;
-                    dvz = _o537.dvz;
-                    clock_error = _o537.clock_error;
+                    const kernel_carry_time_out _o554 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
+                    dx = _o554.dx;
+                    dy = _o554.dy;
+                    dz = _o554.dz;
+                    dvx = _o554.dvx;
+                    dvy = _o554.dvy;
+                    dvz = _o554.dvz;
+                    clock_error = _o554.clock_error;
+                    const kernel_bound_time_out _o555 = kernel_bound_time(when, x, y, z, vx, vy, vz, clock, position_bound, velocity_bound, spin_bound, clock_bound, p_gravity);
+                    position_bound = _o555.position_bound;
+                    velocity_bound = _o555.velocity_bound;
+                    spin_bound = _o555.spin_bound;
+                    clock_bound = _o555.clock_bound;
                 }
             }
             if (hopped) {
-                const kernel_carry_hop_out _o538 = kernel_carry_hop(x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, when);
-                dx = _o538.dx;
-                dy = _o538.dy;
-                dz = _o538.dz;
+                const kernel_carry_hop_out _o556 = kernel_carry_hop(x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, when);
+                dx = _o556.dx;
+                dy = _o556.dy;
+                dz = _o556.dz;
             }
-            const kernel_closing_out _o539 = kernel_closing(outcome, claims);
-            reports = _o539.reports;
-            position_claim = _o539.position_claim;
-            velocity_claim = _o539.velocity_claim;
-            spin_claim = _o539.spin_claim;
-            time_claim = _o539.time_claim;
+            const kernel_closing_out _o557 = kernel_closing(outcome, claims);
+            reports = _o557.reports;
+            position_claim = _o557.position_claim;
+            velocity_claim = _o557.velocity_claim;
+            spin_claim = _o557.spin_claim;
+            time_claim = _o557.time_claim;
             if (reports) {
-                const kernel_claimed_errors_out _o540 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = _o540.position_error;
-                velocity_claim = _o540.velocity_error;
-                spin_claim = _o540.spin_error;
-                time_claim = _o540.time_error;
+                const kernel_claimed_errors_out _o558 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, position_bound, velocity_bound, spin_bound, estimated, clock_bound);
+                position_claim = _o558.position_error;
+                velocity_claim = _o558.velocity_error;
+                spin_claim = _o558.spin_error;
+                time_claim = _o558.time_error;
             }
         }
 
@@ -8008,7 +8829,7 @@ static __device__ __forceinline__ void court_loop(
     }
 
     if (_events)
-        ((int *)_results[13])[_shot] = _used;
+        ((int *)_results[14])[_shot] = _used;
     const bool _invalid = (int)outcome == COURT_OUTCOME_INVALID;
     (void)_invalid;
     if (_results[0]) {
@@ -8058,6 +8879,9 @@ static __device__ __forceinline__ void court_loop(
     }
     if (BOUNDS && _results[11]) {
         ((unsigned char *)_results[11])[_shot] = (unsigned char)(int)uncertain;
+    }
+    if (BOUNDS && _results[12]) {
+        ((unsigned char *)_results[12])[_shot] = (unsigned char)(int)estimated;
     }
 }
 

@@ -328,6 +328,7 @@ ABSENT_RESULTS: tuple[ResultField, ...] = (
     ResultField(name="airless_rolls", dtype="bool", columns=("rolls",), summary="it rolled, without the air's force along the surface", absence="no ball rolls in air", tally="rolled_airless", tally_summary="shots that rolled without the air's force along the surface", proved=0.0),
     ResultField(name="slip_left", dtype="bool", columns=("slip_left",), summary="its bounces ended with slip left, and so it is capped", absence="no ball rolls", tally="slip_left", tally_summary="capped shots whose bounces ended with slip left", proved=0.0),
     ResultField(name="grip_lost", dtype="float64", columns=("grip_lost",), summary="s, when friction first was too little for the ball to roll as it did; infinite: never", is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, absence="no ball rolls", units=("s",), proved=_inf),
+    ResultField(name="estimated", dtype="bool", columns=("estimated",), summary="its flag and the bounds on its errors are estimated, not proved", is_diagnostic=True, absence="the bounds of all shots are proved, or those of all are estimated", proved=0.0),
 )
 """The results of other scenes that this one lacks."""
 

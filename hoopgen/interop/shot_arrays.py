@@ -20,7 +20,8 @@ class ShotArrays:
 
     Attributes
     ----------
-    outcome, contacts, counts, first, time, state, uncertain, rolls, airless_rolls, slip_left
+    outcome, contacts, counts, first, time, state, uncertain, estimated, rolls, airless_rolls,
+    slip_left
         As of `hoopgen.Shots`.
     """
 
@@ -31,6 +32,7 @@ class ShotArrays:
     time: jax.Array
     state: jax.Array
     uncertain: jax.Array
+    estimated: jax.Array
     rolls: jax.Array
     airless_rolls: jax.Array
     slip_left: jax.Array

@@ -49,8 +49,8 @@ class Certificate:
         those. NaN where undecided or invalid.
     state, state_radius
         float64 (n, 9), likewise.
-    uncertain, time_error, state_error
-        As in `Shots`, of what is proved: bool (n,), float64 (n,) and (n, 3).
+    uncertain, estimated, time_error, state_error
+        As in `Shots`, of what is proved: bool (n,) each, float64 (n,) and (n, 3).
     """
 
     rolls: NDArray[np.int32]

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,9 +32,9 @@ class ProofPremises:
     def proved(
         self,
         scene: CompiledScene,
+        field: Callable[[str], NDArray[Any]],
         states: NDArray[np.float64],
         parameters: Mapping[str, Value],
-        contacts: NDArray[np.int32],
     ) -> NDArray[np.bool_]:
         """Return which shots fulfil the premises of the theorem, or are proved by the judge, (n,).
 
@@ -41,24 +42,26 @@ class ProofPremises:
         ----------
         scene
             The scene.
+        field
+            A function from the name of a result to its array, (n,): `contacts` is asked for, and
+            `estimated` where the bounds of some shots are.
         states
             The releases, (n, 9).
         parameters
             The parameters by name, a number or (n,) each.
-        contacts
-            The number of contacts of each shot, (n,).
         """
         found = np.zeros(len(states), np.bool_)
         kernels = scene.kernels
         if hasattr(kernels, "premises"):
             given = dict(zip(STATE, states.T, strict=True))
-            inputs = scene.table.inputs(parameters)
-            given |= zip(kernels.VARIABLES.values(), inputs, strict=True)
-            given["contacts"] = contacts.astype(np.float64)
+            given |= zip(kernels.VARIABLES.values(), scene.table.inputs(parameters), strict=True)
+            given["contacts"] = field("contacts").astype(np.float64)
             with np.errstate(all="ignore"):
                 arguments = (given[name] for name in kernels.ARGUMENTS["premises"])
                 (found[:],) = kernels.premises(*arguments)
             if self.leaving is not None:
                 found &= self.leaving < 0
+            if "estimated" in scene.layout.results:
+                found &= ~field("estimated")
         found[self.settled] = True
         return found

@@ -30,14 +30,10 @@ if TYPE_CHECKING:
 
     from .drawing import Drawn
 
-
 FieldArray = (
     NDArray[np.float64]
     | NDArray[np.bool_]
-    | NDArray[np.uint8]
-    | NDArray[np.int8]
-    | NDArray[np.int16]
-    | NDArray[np.int32]
+    | NDArray[np.uint8 | np.int8 | np.int16 | np.int32]
     | NDArray[np.void]
 )
 """A field of `Shots`, by shot; the event log is the one with a structure."""
@@ -64,28 +60,30 @@ class Shots:
     time
         float64 (n,), s: time at the end plane; of a capped or short shot, at the last contact, in
         air of a short one at the piece in which that is known. A ball that left a body without
-        speed, as after restitution 0, is in the air again up to 2^-7 s later: then that time.
+        speed, as after restitution 0, flies up to 2^-7 s later: then that time.
     state
         float64 (n, 9), state at that time.
     rolls
-        int32 (n,), in a scene where a ball may roll: number of times that it began to roll.
+        int32 (n,), where a ball may roll: the number of times that it began to roll.
     airless_rolls
-        bool (n,), where a ball may roll in air: whether it rolled, with no air along the surface.
+        bool (n,), there, in air: whether it rolled, with no air along the surface.
     slip_left
-        bool (n,), in such a scene: whether the bounces ended with slip that friction could not
-        stop, or where it does not suffice for rolling. Such a shot is CAPPED, at its last contact.
+        bool (n,), there: whether the bounces ended with slip that friction could not stop, or where
+        it does not suffice for rolling. Such a shot is CAPPED, at its last contact.
     uncertain
         bool (n,), some decision of the shot lies within its rounding-error bound.
+    estimated
+        bool (n,), in scenes like `COURT`: that bound is estimated, not proved.
     time_error, state_error
         float64 (n,) and (n, 3), if requested by name: bounds on the errors of `time` and of each
-        component of position, velocity and spin, of shots that are not uncertain.
+        component of position, velocity and spin, of shots that are certain.
     grip_lost
-        float64 (n,), s, if requested by name, where a ball may roll: the time at which rolling
-        first needed more friction than the body has; infinite if never. The ball rolls on.
+        float64 (n,), s, if requested by name, where a ball may roll: when rolling first needed more
+        friction than the body has; infinite if never. The ball rolls on.
     events
-        With ``record=True``: the event log, rows in order of shot, then time; their ``kind`` is an
-        `Event`. Between a ROLL row and the next one of its shot the ball stays in contact. Of
-        `time_error` and `state_error` it has those that are requested by name, of each event.
+        With ``record=True``: the event log, by shot and time, with the ``kind`` of each row, an
+        `Event`, and `time_error` and `state_error` if they are requested by name. Between a ROLL
+        row and the next one of its shot the ball stays in contact.
     parameters
         Parameters of the scene, one number each or (n,).
     scene
@@ -103,6 +101,7 @@ class Shots:
     airless_rolls: NDArray[np.bool_]
     slip_left: NDArray[np.bool_]
     uncertain: NDArray[np.bool_]
+    estimated: NDArray[np.bool_]
     time_error: NDArray[np.float64]
     state_error: NDArray[np.float64]
     grip_lost: NDArray[np.float64]
@@ -137,11 +136,11 @@ class Shots:
     def proved(self) -> NDArray[np.bool_]:
         """The shots of which `uncertain`, `time_error` and `state_error` are proved, bool (n,).
 
-        They are for balls released in flight in `HOOP`, and in scenes of level rings and planes
-        without slip, of usual sizes, that rise to the end's plane freely; and if settled.
+        They are for balls released in flight among level rings, planes and boxes, of usual sizes,
+        that rise to the end's plane freely and are not `estimated`; and if settled.
         """
         own = self.to_numpy()
-        return self._premises.proved(self.scene, own.releases, own.parameters, own.contacts)
+        return self._premises.proved(self.scene, own._field, own.releases, own.parameters)
 
     @property
     def jacobian(self) -> Jacobian:
@@ -250,7 +249,8 @@ class Shots:
         if scene is not None and name in scene.layout.absent:
             why = scene.layout.absent[name].absence
             raise AttributeError(f"{name}: in the scene {scene.name} {why}")
-        name = "contacts" if name == "proved" else name
+        if name == "proved":
+            name = "contacts" if "contacts" not in fields else "estimated"
         if name in Shots.__annotations__ or (scene is not None and name in scene.layout.results):
             raise AttributeError(f"{name}: not among the fields asked for: {', '.join(fields)}")
         raise AttributeError(f"Shots has no attribute {name!r}")

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 import sympy as sp
 
-from hoopgen.derive.errors import contact_frames, propagation, second_order, tighter_bounds
+from hoopgen.derive.errors import (
+    contact_frames,
+    friction,
+    propagation,
+    provisional,
+    second_order,
+    surface_frames,
+    tighter_bounds,
+)
 from hoopgen.derive.events import air as air_search
 from hoopgen.derive.events import (
     air_near,
@@ -49,6 +57,18 @@ def constants() -> dict[str, str]:
         "product_rounding": tighter_bounds.PRODUCT_ROUNDING,
         "renewal": tighter_bounds.RENEWAL,
         "law_roundings": contact_frames.LAW_ROUNDINGS,
+        "slip_room": friction.ROOM,
+        "slip_change": friction.LARGEST_CHANGE,
+        "direction_order": friction.DIRECTION_ORDER,
+        "direction_slope": friction.DIRECTION_SLOPE,
+        "motion_roundings": friction.MOTION_ROUNDINGS,
+        "spin_roundings": friction.SPIN_ROUNDINGS,
+        "share_roundings": friction.SHARE_ROUNDINGS,
+        "slope_roundings": friction.SLOPE_ROUNDINGS,
+        "margin_rounding": friction.MARGIN_ROUNDING,
+        "seam_share": surface_frames.SEAM_SHARE,
+        "largest_place": provisional.LARGEST_PLACE,
+        "slowest": provisional.SLOWEST,
         "stretch": second_order.STRETCH,
         "largest_flight": premises.LARGEST,
         "narrowest": premises.NARROWEST,

@@ -225,10 +225,26 @@ PREMISES: dict[str, Premise] = {
         LEMMA,
         "growth of errors in the frames of contacts",
         _kernels(
-            "common.normal_velocity law.slip common.came_back *.tangents law.carry "
+            "common.normal_velocity common.came_back *.tangents law.carry "
             "common.carry_end common.unbounded common.without_bounds "
             "common.carry_time common.error_bounds common.claimed_errors common.clock_error_sum "
             "common.closing"
+        ),
+        proved=True,
+    ),
+    "seams": Premise(LEMMA, "seams of a box", _kernels("box.tangents"), proved=True),
+    "friction": Premise(
+        LEMMA,
+        "growth of errors with friction",
+        _kernels("law.slip"),
+        proved=True,
+    ),
+    "provisional": Premise(
+        LEMMA,
+        "proved bounds until a ball may roll",
+        _kernels(
+            "law.bound common.bound_end common.bound_time common.clock_bound_sum common.proving "
+            "common.doubt common.estimates"
         ),
         proved=True,
     ),

@@ -73,8 +73,12 @@ def stated(model: Model) -> dict[str, tuple[str, ...]]:
     """Return the premises of a scene's page, and the names of the kernels that rest on each."""
     found: dict[str, list[str]] = {}
     keys = dict(parts(model))
-    proved = model.scene.proves_errors
-    premises = {key: one for key, one in PREMISES.items() if one.proved in (None, proved)}
+    scene = model.scene
+    premises = {
+        key: one
+        for key, one in PREMISES.items()
+        if scene.proves_bounces or one.proved in (None, scene.proves_errors)
+    }
     for kernel in model.kernels:
         found.setdefault(_premise_of(keys[kernel.name], premises), []).append(kernel.name)
     shown = {
