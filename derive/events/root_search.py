@@ -10,6 +10,7 @@ import sympy as sp
 from ..errors.propagation import normal_error
 from ..ir.event_tree import UNPROVED, Call, If, Node, Value, While
 from ..ir.kernel import Kernel, decision
+from ..surfaces import Ring
 from ..symbolic.conditionals import Not, false
 from ..symbolic.symbols import variable
 from .box_windows import enter, opening
@@ -153,7 +154,8 @@ class RootSearch(Search):
     def nodes(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
         """Search the first arrival; a shot that certainly misses the surface does not take part."""
         yield Call(common["horizon"], {"t": "when"}, {"horizon": "until"})
-        if "clear" in own and not self.flight.departs:
+        # Where balls roll, bounds are proved among rings alone that have such a test.
+        if "clear" in own and (not self.flight.departs or isinstance(self.surface, Ring)):
             yield Call(common["overdue"])
         step = tuple(self._step(common, own, index))
         prepared = given(own["prepare"], horizon="until")

@@ -150,11 +150,20 @@ def _through(passage: Passage, flight: Parabola) -> dict[str, sp.Basic]:
 def _astray(passage: Passage, flight: Parabola) -> dict[str, sp.Basic]:
     """Return the condition that the passings are undecided.
 
-    With e a bound on the error of z throughout the flight, a true passing is where |z| <= e: within
-    sqrt(8 e / g) of the computed one, the difference of the roots of D and of any D' within 2 g e.
-    Its existence is undecided if the ball is that near to the plane at an end of the flight, or at
-    an apex with |D| <= 4 g e, unless it is certainly outside the disc then. The error of a
-    contact's time is part of the position's error at the start of the next flight.
+    **Lemma (passings of the disc).** Let p and v bound the norms of the errors of place and
+    velocity at the start, and e the error of z throughout the flight, as `rounding` has it. If the
+    condition does not hold, the true ball passes the disc upwards and downwards as the computed one
+    does.
+
+    *Proof.* Where the true ball is at z = 0, the computed z is within e of zero. The times at which
+    the computed parabola is at c, |c| <= e, are (vz ± sqrt(D - 2 g c))/g: within sqrt(2 e/g) of the
+    roots of D, of which `late` has twice that and their roundings. So a true passing is so near to
+    a computed one. It exists where that exists, since both balls are on the same sides of the plane
+    at both ends of the flight, where |z| > p and |z| > e, and at an apex between them, as |D| > 4 g
+    e is twice e in height; unless the computed ball is then outside the disc by more than `slack`,
+    and the true one outside, too. At the passings the places differ by at most p + v t and their
+    roundings in norm, and by the way flown in `late`: `slack` contains both, and with 8 u V t in it
+    the roundings of the distances. The place at the start contains what a contact's delay makes. ∎
     """
     passings, gravity = _disc_passings(flight), flight.strength
     there, moving = flight.rounding(t)

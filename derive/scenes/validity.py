@@ -65,13 +65,17 @@ def valid(scene: Scene, tabled: Set[int]) -> dict[str, sp.Expr]:
     if that is within the rounding of its evaluation. The surface that the ball leaves is left out.
 
     **Lemma (start).** Let s be 16 u times the sum S of the sizes of coordinates and lengths. In
-    `HOOP`, an `inside` that is larger than s in size, for the ring 4 R s, has the right sign.
+    `HOOP` and `COURT`, an `inside` that is larger than s in size, for the ring 4 R s, has the right
+    sign.
 
     *Proof.* Of a plane each is a sum of at most four numbers, or R_H - rho with rho off by 2 u rho:
-    off by at most 4 u S, and so is the largest of them. Of the ring it is d² + z² - R², which is
-    off by u (4 rho |d| + 3 d² + 2 z² + 3 R²) and the rounding of the result (`ring/double.py`). If
-    the computed and the exact one had different signs, one of them would have |d| and |z| at most
-    R (1 + 2^-20), and it would be off by less than u R (4 rho + 9 R) < 64 u R S. ∎
+    off by at most 4 u S, and so is the largest of them. Of a box the coordinates beyond its faces
+    are differences of a place and a face, itself a sum of two numbers: together off by at most 3 u
+    S, and their length by 8 u S with the roundings of squares, sums, root and difference. Of the
+    ring it is d² + z² - R², which is off by u (4 rho |d| + 3 d² + 2 z² + 3 R²) and the rounding of
+    the result (`ring/double.py`). If the computed and the exact one had different signs, one of
+    them would have |d| and |z| at most R (1 + 2^-20), and it would be off by less than u R (4 rho +
+    9 R) < 64 u R S. ∎
 
     The surfaces with the indices `tabled`, which the loop goes over (`surface_start`), are left
     out, too. For them the outputs contain the rounding, and the distance within which it matters.

@@ -1,6 +1,7 @@
 """The symbols of errors that are carried as a vector, and the factor of decisions.
 
-Scenes of rings and planes without slip carry proved bounds instead (`errors/contact_frames.py`).
+Scenes of rings, planes and boxes carry proved bounds instead (`errors/contact_frames.py`), as long
+as no ball rolls.
 """
 
 from __future__ import annotations

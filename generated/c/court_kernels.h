@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation ea060a301a126bc8,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 563ebbcb4880eca2,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -792,6 +792,18 @@ LANES(court_out_of_budget_in_windows)(V pad, V budget_exceeded, V earliest_delay
 {
     const V _s0 = lanes_select(lanes_either(lanes_both(searching, lanes_either(lanes_less(K(0.0), excess), lanes_less(pad, lanes_mul(K(0.5), earliest_delay)))), lanes_less(K(0.0), budget_exceeded)), K(0.0), undecided_time);
     return (LANES(court_out_of_budget_in_windows_out)){ _s0 };
+}
+
+/* Undecided time 0 if the earliest arrival may be after the horizon.
+   Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
+typedef struct {
+    V undecided_time;
+} LANES(court_overdue_out);
+
+LANES_INLINE LANES(court_overdue_out)
+LANES(court_overdue)(V pad, V earliest_delay, V undecided_time)
+{
+    return (LANES(court_overdue_out)){ lanes_select(lanes_less(pad, lanes_mul(K(0.5), earliest_delay)), K(0.0), undecided_time) };
 }
 
 /* 1 near the surface that the ball left, where F/t is more exact than F; the margin.

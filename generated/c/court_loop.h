@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation ea060a301a126bc8,
+   Generated from templates/c/loop.h.j2, scene court, derivation 563ebbcb4880eca2,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -3517,6 +3517,11 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
 #endif
         CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
         V until = _horizon_1.horizon;
+#if BOUNDED
+        EACH(GET, _horizon_1, pad)
+        CALL(court_overdue, _overdue_1)(pad, earliest_delay, undecided_time);
+        EACH(SET, _overdue_1, undecided_time)
+#endif
         CALL(court_missed, _missed_1)();
         EACH(GET, _missed_1, clear)
 #if BOUNDED
@@ -3535,7 +3540,11 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         refused = lanes_either(refused, open);
         CALL(court_horizon, _horizon_2)(when, speed, FIXED(20));
         until = _horizon_2.horizon;
+#if BOUNDED
+        EACH(SET, _horizon_2, pad)
+#else
         EACH(GET, _horizon_2, pad)
+#endif
         CALL(court_backboard_near, _backboard_near_1)(until, x, vx, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(54), FIXED(55));
         M reachable = _backboard_near_1.near;
         const M _if_reachable_1 = reachable;
@@ -3838,7 +3847,11 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #endif
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
-            BOUNDS(EACH(GET, _horizon_1, pad))
+#if BOUNDED
+            EACH(GET, _horizon_1, pad)
+            CALL(court_overdue, _overdue_1)(pad, earliest_delay, undecided_time);
+            EACH(SET, _overdue_1, undecided_time)
+#endif
             CALL(court_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(7), FIXED(21), FIXED(28), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(22), FIXED(20), FIXED(34), FIXED(14), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41), FIXED(42));
             EACH(GET, _ring_clear_1, clear)
             CALL(court_opens_in_flight, _opens_in_flight_1)(clear, in_contact);

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation ea060a301a126bc8,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 563ebbcb4880eca2,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -386,6 +386,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "beginning": ("share", "arrival", "certain",),
     "out_of_budget": ("undecided_time",),
     "out_of_budget_in_windows": ("undecided_time",),
+    "overdue": ("undecided_time",),
     "nearby": ("leaving", "margin",),
     "opened": ("time", "latest",),
     "coarse": ("stepping", "searching", "single_precision", "ceiling", "flat", "tilt", "allowing",),
@@ -1717,6 +1718,14 @@ def out_of_budget_in_windows(pad: Any, budget_exceeded: Any, earliest_delay: Any
     """
     _s0 = _where(_logical_or(_logical_and(searching, _logical_or((0.0 < excess), (pad < (0.5 * earliest_delay)))), (0.0 < budget_exceeded)), 0.0, undecided_time)
     return _s0,
+
+
+def overdue(pad: Any, earliest_delay: Any, undecided_time: Any) -> tuple[Any, ...]:
+    """Undecided time 0 if the earliest arrival may be after the horizon.
+
+    Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection.
+    """
+    return _where((pad < (0.5 * earliest_delay)), 0.0, undecided_time),
 
 
 def nearby(t: Any, flat: Any, tilt: Any, index: Any, last: Any) -> tuple[Any, ...]:
@@ -11603,6 +11612,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _choose(_possible_0, (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,), (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,))
     _undecided_time_0, = plane_start(_p_gravity_0, _undecided_time_0, _position_error_0, _velocity_error_0)
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
+    _undecided_time_0, = overdue(_pad_0, _earliest_delay_0, _undecided_time_0)
     _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
     _open_0, = opens_in_flight(_clear_0, _in_contact_0)
     _rows1, _count2 = _rows(_open_0, shots)
