@@ -447,9 +447,11 @@ class Contacts:
 
     def shares(self) -> dict[str, Floats]:
         """Return each error over its bound."""
-        return {
-            name: value / np.asarray(self.bounds[name], float) for name, value in self.sizes.items()
-        }
+        with np.errstate(divide="ignore", invalid="ignore"):  # zero is no bound
+            return {
+                name: value / np.asarray(self.bounds[name], float)
+                for name, value in self.sizes.items()
+            }
 
 
 def arguments(

@@ -7,6 +7,7 @@ first ball's derivative is held against the lemma of `derive/errors/friction.py`
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from types import SimpleNamespace
@@ -20,7 +21,7 @@ from hoopgen.derive.contact.friction import CoulombFriction
 from hoopgen.derive.errors import friction
 from hoopgen.derive.errors import second_order as remainder
 from hoopgen.derive.errors.contact_frames import NORMS
-from hoopgen.derive.symbolic.conditionals import IfLess, release
+from hoopgen.derive.ir.kernel import kernel
 from numpy.typing import NDArray
 
 from tests.derive.errors.test_second_order import (
@@ -34,6 +35,7 @@ from tests.derive.errors.test_second_order import (
     size,
     turned,
 )
+from tests.helpers.derived import evaluation
 from tests.helpers.effort import trials
 
 pytestmark = pytest.mark.skipif(
@@ -199,6 +201,28 @@ def aimed(random: np.random.Generator, *axes: Floats) -> Floats:
     return found
 
 
+def motions(random: np.random.Generator, normal: Floats) -> tuple[Law, Motion, Floats, Floats]:
+    """Return random laws, motions before contacts, and the direction and the size of their slips.
+
+    Parameters
+    ----------
+    random
+        The generator.
+    normal
+        The normals, (3, n).
+    """
+    rows = normal.shape[1]
+    law, approach = laws(random, rows), 10 ** random.uniform(-1, 1, rows).astype(Wide)
+    way = np.cross(normal, directions(random, rows), axis=0)
+    way = way / size(way)
+    slip = slips_near_the_switch(random, law.slide(approach) / law.grip)
+    glide = np.cross(normal, directions(random, rows), axis=0)
+    glide = glide * approach * random.choice([0.0, 0.3, 3.0], rows)
+    rolling = np.cross(normal, glide - slip * way, axis=0) / RADIUS
+    turning = normal * random.choice([0.0, 10.0, 200.0], rows)
+    return law, Motion(normal, glide - approach * normal, rolling + turning), way, slip
+
+
 @cache
 def drawn() -> Pairs:
     """Return random pairs of balls."""
@@ -210,16 +234,8 @@ def drawn() -> Pairs:
     place = np.array([rho * np.cos(around), rho * np.sin(around), REACH * np.sin(over)])
     place[2, flat] = 0
     _, normal = gap_and_normal(place, flat)
-    law, approach = laws(random, rows), 10 ** random.uniform(-1, 1, rows).astype(Wide)
-    way = np.cross(normal, directions(random, rows), axis=0)
-    way = way / size(way)
-    aside = np.cross(normal, way, axis=0)
-    slip = slips_near_the_switch(random, law.slide(approach) / law.grip)
-    glide = np.cross(normal, directions(random, rows), axis=0)
-    glide = glide * approach * random.choice([0.0, 0.3, 3.0], rows)
-    rolling = np.cross(normal, glide - slip * way, axis=0) / RADIUS
-    turning = normal * random.choice([0.0, 10.0, 200.0], rows)
-    before = Motion(normal, glide - approach * normal, rolling + turning)
+    law, before, way, slip = motions(random, normal)
+    approach, aside = before.nearing, np.cross(normal, way, axis=0)
     pull = random.choice([0.0, 0.0, 9.81, 300.0], rows)
     # Beside the largest jolts for which the lemma holds, shares of the slip and of V, larger ones.
     most = np.minimum(slip / 5, approach / 12)
@@ -348,13 +364,21 @@ def conditions(given: dict[str, Any]) -> list[Floats]:
 
 def evaluated(expression: sp.Expr, given: dict[str, Any]) -> Floats:
     """Return the value of a bound."""
-    plain = release(sp.sympify(expression)).replace(
-        lambda e: isinstance(e, IfLess),
-        lambda e: sp.Piecewise((e.args[2], e.args[0] < e.args[1]), (e.args[3], True)),
-    )
-    names = sorted(symbol.name for symbol in plain.free_symbols)
-    function = sp.lambdify(names, plain, "numpy")
-    return np.asarray(function(*(given[name] for name in names)), float)
+    return function_of({"value": expression})(given)["value"]
+
+
+def function_of(formulas: dict[str, sp.Expr]) -> Callable[[dict[str, Any]], dict[str, Floats]]:
+    """Return the function from arguments of bounds to the bounds, in double precision."""
+    values = map(sp.sympify, formulas.values())
+    order = sorted({s for value in values for s in value.free_symbols}, key=lambda s: str(s.name))
+    own = kernel("bounds", formulas, order, "Bounds.", "the lemma")
+    function, names = evaluation(own, tuple(order)), [symbol.name for symbol in own.arguments]
+
+    def values_of(given: dict[str, Any]) -> dict[str, Floats]:
+        found = function(*(given[name] for name in names))
+        return {name: np.asarray(one, float) for name, one in zip(formulas, found, strict=True)}
+
+    return values_of
 
 
 @cache
@@ -396,13 +420,20 @@ def whole_impulse(given: dict[str, Any]) -> Floats:
     return np.asarray(given["law"].grip * (given["speed"] + RADIUS * given["spin_size"]))
 
 
-def of_rest(patch: pytest.MonkeyPatch) -> dict[str, sp.Expr]:
-    """Return the second order of velocity and spin of the code, and its condition.
+def of_rest() -> Callable[[dict[str, Any]], dict[str, Floats]]:
+    """Return the function from arguments to the code's terms beside |T| B, and its condition.
 
     Roundings are left out. So are errors and roundings before the contact, with which T is tested.
     """
+    with pytest.MonkeyPatch.context() as patch:
+        values = _of_rest(patch)
+    return function_of(values)
+
+
+def _of_rest(patch: pytest.MonkeyPatch) -> dict[str, sp.Expr]:
+    """Return the formulas of the code without roundings."""
     for name in ("T_ROUNDING", "UNIT_ROUNDOFF", "FLOOR"):
-        patch.setattr(friction, name, sp.Integer(0))
+        patch.setitem(friction.FrictionImpact.rest.__globals__, name, sp.Integer(0))
     names = ("speed", "spin_size", "approach", "change", "turn", "tilt", "pulled")
     s = {name: sp.Symbol(name, nonnegative=True) for name in (*names, "e0", "mu", "v0", "kappa")}
     law = CoulombFriction("law", s["e0"], s["mu"], sp.Symbol("e_t", real=True), s["v0"])
@@ -419,13 +450,14 @@ def of_rest(patch: pytest.MonkeyPatch) -> dict[str, sp.Expr]:
         paces=zero,
         turns=zero,
         excess=sp.Integer(-1),
-        **dict.fromkeys(("beyond", "turned", "longer", "summed", "spun"), sp.Integer(0)),
+        longer=sp.Symbol("longer", nonnegative=True),
+        **dict.fromkeys(("beyond", "turned", "summed", "spun"), sp.Integer(0)),
     )
     impact = friction.FrictionImpact(Ball(sp.Symbol("radius"), s["kappa"]), law)
     rest = impact.rest(arrival)
     values = {"across": rest.extras[3], "along": rest.extras[4], "normal": rest.extras[2]}
     values |= {"spin": rest.extras[5], "unrolled": rest.unrolled, "excess": rest.excess}
-    return {name: value.xreplace({friction.normal_rounding: 0}) for name, value in values.items()}
+    return values
 
 
 def arguments(given: dict[str, Any]) -> dict[str, Any]:
@@ -445,6 +477,8 @@ def arguments(given: dict[str, Any]) -> dict[str, Any]:
         "kappa": law.inertia,
         "radius": RADIUS,
         "slip_share": share,
+        "normal_rounding": 0.0,
+        "longer": 0.0,
         NORMS[2].name: given["spin_bound"],
     }
 
@@ -538,22 +572,18 @@ def test_bounds_are_not_far_above_what_is_left_out(field: str, slips: bool, leas
 
 
 def test_the_code_has_the_terms_of_the_lemma() -> None:
-    with pytest.MonkeyPatch.context() as patch:
-        found = of_rest(patch)
+    found = of_rest()(arguments(pairs().given))
     velocity, spin = (np.sum(terms(field), axis=0).astype(float) for field in FIELDS[1:])
     wanted = {"across": velocity, "along": velocity, "normal": velocity, "spin": spin}
     wanted["unrolled"] = spin + velocity / RADIUS
     for name, bound in wanted.items():
-        own = evaluated(found[name], arguments(pairs().given))
-        np.testing.assert_allclose(own, bound, rtol=1e-9, atol=1e-30, err_msg=name)
+        np.testing.assert_allclose(found[name], bound, rtol=1e-9, atol=1e-30, err_msg=name)
 
 
 def test_where_the_code_s_condition_holds_so_do_those_of_the_lemma() -> None:
     """The code has room for roundings beside these: an eighth, and 2^-20 of all speeds."""
-    with pytest.MonkeyPatch.context() as patch:
-        excess = of_rest(patch)["excess"]
     chosen = drawn().of(in_reach(drawn().given))
-    holds = evaluated(excess, arguments(chosen.given)) <= 0
+    holds = of_rest()(arguments(chosen.given))["excess"] <= 0
     decided, steady = (one <= 0 for one in conditions(chosen.given))
     assert np.all((decided & steady)[holds])
     assert np.array_equal(chosen.slips[holds], chosen.exact_slips[holds])
@@ -561,6 +591,75 @@ def test_where_the_code_s_condition_holds_so_do_those_of_the_lemma() -> None:
     assert np.any(chosen.slips != chosen.exact_slips)
     assert np.any(decided & ~steady)
     assert np.count_nonzero(holds) > 0.9 * np.count_nonzero(decided & steady)
+
+
+# ------------------------------------------------------------------------------ without errors
+
+
+def without_errors(law: Law, before: Motion) -> dict[str, Any]:
+    """Return the arguments of the code's bounds for balls without errors before the contact."""
+    none = 0 * before.nearing
+    given = dict.fromkeys(
+        ("place_bound", "velocity_bound", "spin_bound", "pull", "curvature"), none
+    )
+    given |= {"speed": size(before.v), "spin_size": size(before.w), "approach": before.nearing}
+    given |= {"slip_speed": size(before.slip), "slip_margin": before.margin(law)}
+    return arguments(given | {"law": law})
+
+
+def test_what_is_within_its_roundings_is_undecided_without_any_errors() -> None:
+    """So is the direction of a slip that is 2^-20 of all speeds."""
+    random = np.random.default_rng(9)
+    law, before, _, _ = motions(random, directions(random, trials(20_000)))
+    given, rest = without_errors(law, before), of_rest()
+    total = size(before.v) + RADIUS * size(before.w)
+    unit = law.grip * total + law.friction * (1 + law.restitution) * size(before.v)
+    slips, blurred, small_slip = before.margin(law) < 0, 2.0**-48 * unit, 5 * 2.0**-20 * total
+    given["slip_speed"] = 2 * small_slip
+    for share, undecided in ((0.999, True), (1.001, False)):
+        own = given | {"slip_margin": share * np.where(slips, -blurred, blurred)}
+        assert np.all((rest(own)["excess"] > 0) == undecided)
+        own = given | {"slip_speed": share * small_slip, "slip_margin": np.where(slips, -1, 1)}
+        assert np.array_equal(rest(own)["excess"] > 0, slips & undecided)
+
+
+def test_a_normal_that_is_off_changes_motions_by_no_more_than_is_counted() -> None:
+    """Contacts that are decided slip with either normal, or grip with either.
+
+    Normals are turned, or too long, or off in any direction, for which the bound is that of both.
+    """
+    random, off, rest = np.random.default_rng(10), Wide(2.0**-18), of_rest()
+    for kind in ("turned", "longer", "any"):
+        normal = directions(random, trials(100_000))
+        law, before, way, _ = motions(random, normal)
+        aside = np.cross(normal, way, axis=0)
+        nudge = {
+            "turned": aimed(random, way, aside),
+            "longer": normal * random.choice([-1, 1], normal.shape[1]),
+            "any": aimed(random, normal, way, aside),
+        }[kind]
+        if kind == "turned":
+            nudge = nudge - along(nudge, normal) * normal
+        other = Motion(normal + off * nudge, before.v, before.w)
+        amount = {"longer" if kind == "longer" else "normal_rounding": off + 0 * before.nearing}
+        bounds = rest(without_errors(law, before) | amount)
+        decided, slips = bounds["excess"] <= 0, before.margin(law) < 0
+        assert np.mean(decided) > 0.7
+        exact_slips = other.margin(law) < 0
+        assert np.array_equal(slips[decided], exact_slips[decided])
+        assert np.any(slips != exact_slips)
+        ends = zip(other.after(law)[1:], before.after(law)[1:], strict=True)
+        moved, twisted = (one - now for one, now in ends)
+        up = along(moved, normal)
+        found = {"normal": np.abs(up), "across": size(moved - up * normal), "spin": size(twisted)}
+        for name, one in found.items():
+            share = (one / bounds[name])[decided]
+            assert share.max() <= 1 + 2.0**-10, name  # the slack of all bounds
+            assert share.max() > LEAST[kind].get(name, 0.8), (kind, name, share.max())
+
+
+LEAST = {"turned": {"normal": 0.6, "spin": 0.45}, "longer": {}, "any": {}}
+"""Shares of bounds that the effects of normals must exceed, where they are not 0.8."""
 
 
 # ------------------------------------------------------------------------------------- directions
