@@ -4,8 +4,7 @@ Terms of the second order that are small beside others with the same cause, as t
 beside its turn, trip the test that the code has the terms of the lemma's text. Not seen are faults
 in what is small beside other terms wherever it counts:
 
-- the roundings of T in single precision, 2^-17 of the sizes, and those of its products, beside the
-  slack of 2^-10, and `FLOOR`;
+- `FLOOR`, of all sizes beside which it counts;
 - the turn of velocity and spin by the second order of the place, beside that order itself;
 - the normal velocity after the impact in the norms, where restitution falls with speed.
 """
@@ -55,6 +54,7 @@ conditions = OfFormulas(order.test_where_the_code_s_condition_holds_so_do_those_
 blurred = OfFormulas(order.test_what_is_within_its_roundings_is_undecided_without_any_errors)
 normals = OfFormulas(order.test_a_normal_that_is_off_changes_motions_by_no_more_than_is_counted)
 directions = OfFormulas(order.test_directions_that_change_by_a_fifth_are_within_the_bounds)
+of_matrix = OfFormulas(growth.test_roundings_of_t_are_within_what_the_bounds_count_for_them)
 of_impact = OfFormulas(roundings.test_the_impact_s_roundings_are_within_their_counts)
 of_margin = OfFormulas(roundings.test_the_margin_s_roundings_are_half_of_those_that_count)
 of_share = OfFormulas(roundings.test_the_count_of_the_share_is_at_most_ten_times_what_is_reached)
@@ -520,6 +520,17 @@ FAULTS = (
         in_rest("SPIN_ROUNDINGS * spinning + turning * pushed", "turning * pushed"),
         of_roundings,
     ),
+    Planted(
+        "velocities in T have no roundings",
+        in_rest("T_ROUNDING * barrier(paced + products)", "0 * paced"),
+        of_matrix,
+    ),
+    Planted(
+        "spins in T have no roundings",
+        in_rest("T_ROUNDING * barrier(spun + turning * products)", "0 * spun"),
+        of_matrix,
+    ),
+    Planted("T has a few roundings", with_constant("T_ROUNDING", sp.Rational(1, 2**24)), of_matrix),
     Planted(
         "T has no columns for y_z",
         in_text(frames, "growth", "(still, still, across)", "(still, still, still)"),

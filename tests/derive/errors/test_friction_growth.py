@@ -11,11 +11,16 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
+from hoopgen.derive.errors import contact_frames as frames
 from hoopgen.derive.errors import friction
+from hoopgen.derive.ir.kernel import kernel
+from hoopgen.derive.kernels.arguments import argument_order
 from numpy.typing import NDArray
 
 from benchmarks.workloads import WORKLOADS
 from hoopgen import PAPER
+from hoopgen.codegen.identifiers import identifier
 from tests.derive.errors.test_contact_frames import (
     NAMES,
     NONE,
@@ -25,6 +30,7 @@ from tests.derive.errors.test_contact_frames import (
     Contacts,
     NoSlipLaw,
     U,
+    arguments,
     at_limits,
     check,
     departures,
@@ -35,7 +41,7 @@ from tests.derive.errors.test_contact_frames import (
 from tests.derive.errors.test_contact_frames import called as computed
 from tests.derive.errors.test_friction_order import Law, Motion
 from tests.helpers import exact_contacts as exact
-from tests.helpers.derived import DerivedKernels
+from tests.helpers.derived import DerivedKernels, evaluation
 from tests.helpers.effort import trials
 from tests.helpers.exact_contacts import EXACT, Exact, Floats
 from tests.helpers.exact_friction import Contact
@@ -300,3 +306,51 @@ def test_where_the_contact_is_not_decided_or_hardly_slips_bounds_are_infinite() 
         law = FrictionLaw(friction=friction_alone)
         own = departures(8, "one", law=law)
         assert len(met(own, *at_limits(own, 8)).own.t) > 0.98 * len(own.t)
+
+
+# ------------------------------------------------------------------------------------ T's roundings
+
+
+def rest_terms(grows: frames.Growth, impact: friction.FrictionImpact) -> list[sp.Expr]:
+    """Return the terms beside |T| B of y_n, y_s, y_e, y_w and y_z."""
+    arrival = frames.Arrival(SLIPPING.flight, SLIPPING.ball, grows.here, grows.gap)
+    rest = impact.rest(arrival)
+    return [*rest.extras[2:], rest.unrolled]
+
+
+def test_roundings_of_t_are_within_what_the_bounds_count_for_them() -> None:
+    """In single precision and in double, with the slip that is given to both in double."""
+    impact = friction.FrictionImpact(SLIPPING.ball, SLIPPING.laws[0])
+    grows = frames.growth(SLIPPING.flight, impact)
+    elements = {
+        f"row_{row}_{column}": value
+        for column, values in enumerate(grows.columns)
+        for row, value in enumerate(values)
+    }
+    terms = {f"with_{k}": one for k, one in enumerate(rest_terms(grows, impact))}
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setitem(friction.FrictionImpact.rest.__globals__, "T_ROUNDING", sp.Integer(0))
+        terms |= {f"without_{k}": one for k, one in enumerate(rest_terms(grows, impact))}
+    own = departures(15, "one", law=MANY_LAWS, count=4000)
+    own = own.of(np.flatnonzero(own.last != NONE))
+    contacts = met(own, *at_limits(own, 16))
+    t = contacts.own.t
+    columns = arguments(MANY_LAWS.kernels, contacts.own, contacts.at, t, contacts.at)
+    order, found = argument_order(SLIPPING), {}
+    for single in (True, False):
+        outputs = elements if single else elements | terms
+        one = kernel("roundings", outputs, order, "Elements of T.", "the lemma", single)
+        values = evaluation(one, SLIPPING.symbols)(*(columns[identifier(s)] for s in one.arguments))
+        values = (np.broadcast_to(np.asarray(value, float), len(t)) for value in values)
+        found[single] = dict(zip(outputs, values, strict=True))
+    bounds = [np.asarray(columns[s.name], float) for s in frames.EACH]
+    reached = []
+    for row in range(2, len(grows.columns[0])):
+        names = [f"row_{row}_{column}" for column in range(len(bounds))]
+        parts = zip(names, bounds, strict=True)
+        off = sum(np.abs(found[True][name] - found[False][name]) * b for name, b in parts)
+        part = min(row - 2, 4)
+        counted = found[False][f"with_{part}"] - found[False][f"without_{part}"]
+        assert np.all(off <= counted), row
+        reached.append(np.max(off / counted))
+    assert max(reached) > 1 / 50
