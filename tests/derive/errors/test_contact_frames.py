@@ -78,6 +78,86 @@ def upwards(values: Any) -> Floats:
     return np.where(single < values, np.nextafter(single, np.float32(np.inf)), single)
 
 
+# ------------------------------------------------------------------------------------------- laws
+
+
+class NoSlipLaw:
+    """The law of the article's contacts, its kernels, and its form in exact numbers.
+
+    Tests of another law are given another such object.
+    """
+
+    @property
+    def kernels(self) -> Any:
+        """The kernels of a scene with this law."""
+        return kernels
+
+    def parameters(self, random: np.random.Generator, rows: int) -> Columns:
+        """Return the parameters of a scene with this law, single numbers or one for each row."""
+        return SIZES
+
+    def departing_spin(self, normal: Floats, velocity: Floats, spin: Floats) -> Floats:
+        """Return the spin after a contact: about the normal it may be any, and the ball rolls.
+
+        Parameters
+        ----------
+        normal, velocity
+            Those of the contact, (3, n).
+        spin
+            Any spin, (3, n).
+        """
+        across = spin - normal * np.sum(spin * normal, axis=0)
+        return np.asarray(spin - across + np.cross(normal, velocity, axis=0) / R_B)
+
+    def slip(self, columns: Columns) -> Columns:
+        """Return what is computed of the slip before a contact: here nothing is."""
+        return {}
+
+    def impact(self, columns: Columns) -> Columns:
+        """Return the computed motion after contacts."""
+        return called(hoop, "impact", columns)
+
+    def exact_impact(self, n: Exact, v: Exact, w: Exact, start: Columns) -> tuple[Exact, Exact]:
+        """Return the exact motion after contacts.
+
+        Parameters
+        ----------
+        n, v, w
+            Exact normals, velocities and spins, (3, n).
+        start
+            The parameters of the law, among other columns.
+        """
+        return exact.after_impact(n, v, w)
+
+    def added_roundings(self, at: Columns) -> tuple[Floats, Floats]:
+        """Return roundings of velocity and spin beside which the kernel's own have room.
+
+        They are 12/14 of their bound; with the kernel's own they are at most 14 u of the sizes.
+        """
+        v, w = (np.array([at[k] for k in names]) for names in (STATE[3:6], STATE[6:]))
+        limit = 12 * U * (np.abs(v).sum(axis=0) + R_B * np.abs(w).sum(axis=0))
+        return limit, limit / R_B
+
+    def effects(self, n: Floats, nudge: Floats, at: Columns) -> tuple[Floats, Floats]:
+        """Return what roundings of normals make of velocity and spin, to first order.
+
+        Parameters
+        ----------
+        n, nudge
+            Normals, and their roundings, (3, n).
+        at
+            The motion before the contacts, among other columns.
+        """
+        v, w = (np.array([at[k] for k in names]) for names in (STATE[3:6], STATE[6:]))
+        slid, twisted = (
+            np.sum(n * one, axis=0) * nudge + np.sum(nudge * one, axis=0) * n for one in (v, w)
+        )
+        return -slid, np.cross(nudge, v, axis=0) / R_B + twisted
+
+
+NO_SLIP = NoSlipLaw()
+
+
 # ------------------------------------------------------------------------------------ departures
 
 
@@ -99,6 +179,8 @@ class Departures:
         The exact times of the start.
     back
         Which flights return to a surface, and count from the level of their start.
+    law
+        The law of the contacts.
     """
 
     last: NDArray[np.int_]
@@ -108,6 +190,7 @@ class Departures:
     exact: tuple[Exact, Exact, Exact]
     clock: Exact
     back: NDArray[np.bool_]
+    law: NoSlipLaw = NO_SLIP
 
     def of(self, rows: NDArray[Any]) -> Departures:
         """Return some of them."""
@@ -115,7 +198,7 @@ class Departures:
         last, which, t, clock, back = (
             one[rows] for one in (self.last, self.which, self.t, self.clock, self.back)
         )
-        return Departures(last, which, start, t, (x, v, w), clock, back)
+        return Departures(last, which, start, t, (x, v, w), clock, back, self.law)
 
 
 def places_on(random: np.random.Generator, surface: NDArray[np.int_]) -> Floats:
@@ -173,6 +256,7 @@ def departures(
     ends: tuple[int, ...] = (RING, BOARD, BRIDGE),
     count: int = ROWS,
     through: bool = False,
+    law: NoSlipLaw = NO_SLIP,
 ) -> Departures:
     """Return random flights with errors at their limits.
 
@@ -182,13 +266,15 @@ def departures(
         The seed.
     bounds
         "many", "one" or "none" of them are not zero, "one large", or that of the "level" alone,
-        the distance from the surface.
+        the distance from the surface, or of the "spin" alone, y_z.
     ends
         The surfaces to which the balls come.
     count
         How many flights there are at effort 1.
     through
         True for errors M o + c with errors o at their limits at an earlier contact.
+    law
+        The law of the contacts.
     """
     random, rows = np.random.default_rng(seed), trials(count, at_least=max(600, count // 4))
     last, which, begin, to, t = ways(random, rows, ends)
@@ -203,12 +289,16 @@ def departures(
     last, which, t = last[kept], which[kept], t[kept]
     begin, velocity = begin[:, kept], (mean + fall)[:, kept]
     rows, released = len(kept), last == NONE
-    least, most = {"one large": (-6, -4), "level": (-6, -3.2)}.get(bounds, (-13, -7))
+    least, most = {"one large": (-6, -4), "level": (-6, -3.2), "spin": (-2, 1)}.get(
+        bounds, (-13, -7)
+    )
     amounts = 10 ** random.uniform(least, most, (len(NAMES), rows))
     if bounds == "one large":
         amounts[0] *= 1e-4
     if bounds == "level":
         amounts *= (np.arange(len(NAMES)) == 0)[:, None] * np.where(last == which, 1e-2, 1)
+    if bounds == "spin":
+        amounts *= (np.arange(len(NAMES)) == len(NAMES) - 1)[:, None]
     if bounds == "many":
         amounts *= random.random((len(NAMES), rows)) < 0.7
     elif bounds.startswith("one"):
@@ -225,9 +315,7 @@ def departures(
         amounts[SIX] = upwards(sum_of_products(before))
     turning = random.normal(0, 20, (3, rows)) * random.choice([1.0, 0.01], rows)
     normal, back = normals_of(last, begin), last == which
-    across = turning - normal * np.sum(turning * normal, axis=0)
-    rolling = np.cross(normal, velocity, axis=0) / R_B
-    turning = np.where(released, turning, turning - across + rolling)
+    turning = np.where(released, turning, law.departing_spin(normal, velocity, turning))
     touched = np.where(released, RING, last)
     begin = begin - signs[0] * amounts[0] * normal
     with flint.ctx.workprec(exact.BITS):
@@ -249,7 +337,8 @@ def departures(
         amounts[0] = upwards(np.abs(np.array(q[0], float)) * (1 + 2.0**-50))
         norms = [upwards(exact.size(error) * (1 + 2.0**-40)) for error in errors]
         true = (x + errors[0], v + errors[1], w + errors[2])
-    start: Columns = dict(zip(STATE, (*begin, *velocity, *turning), strict=True)) | SIZES | before
+    start: Columns = dict(zip(STATE, (*begin, *velocity, *turning), strict=True)) | before
+    start |= law.parameters(random, rows)
     start["clock"] = random.choice([0.0, 1.0], rows) * random.uniform(0, 10, rows)
     earlier = random.choice([0.0, 1.0], rows) * 10 ** random.uniform(-15, -9, rows)
     start["clock_error"] = upwards(earlier)
@@ -259,7 +348,7 @@ def departures(
     clock = EXACT(start["clock"]) + EXACT(before)
     start |= dict(zip(NAMES, amounts, strict=True))
     start |= {s.name: value for s, value in zip(NORMS, norms, strict=True)}
-    return Departures(last, which, start, t, true, clock, back)
+    return Departures(last, which, start, t, true, clock, back, law)
 
 
 MIXED = np.vectorize(
@@ -336,6 +425,8 @@ class Contacts:
     ----------
     own
         The flights.
+    at
+        The computed states before the contacts, their normals and what else is known there.
     bounds
         The bounds after the contact, and the sum of delays.
     sizes
@@ -347,6 +438,7 @@ class Contacts:
     """
 
     own: Departures
+    at: Columns
     bounds: Columns
     sizes: dict[str, Floats]
     coordinates: Exact
@@ -355,9 +447,11 @@ class Contacts:
 
     def shares(self) -> dict[str, Floats]:
         """Return each error over its bound."""
-        return {
-            name: value / np.asarray(self.bounds[name], float) for name, value in self.sizes.items()
-        }
+        with np.errstate(divide="ignore", invalid="ignore"):  # zero is no bound
+            return {
+                name: value / np.asarray(self.bounds[name], float)
+                for name, value in self.sizes.items()
+            }
 
 
 def arguments(
@@ -369,7 +463,7 @@ def arguments(
     columns |= on_surfaces(hoop, "normal", own.which, columns)
     if normal is not None:
         columns |= {k: normal[k] for k in ("nx", "ny", "nz")}
-    columns |= called(hoop, "normal_velocity", columns)
+    columns |= called(hoop, "normal_velocity", columns) | own.law.slip(columns)
     return columns | on_surfaces(module, "tangents", own.which, columns)
 
 
@@ -440,32 +534,25 @@ def at_limits(own: Departures, seed: int) -> tuple[Columns, Floats]:
 
 
 def rounded_impact(own: Departures, at: Columns, random: np.random.Generator) -> Columns:
-    """Return roundings of velocity and spin that are 12/14 of their bound, each along an axis.
+    """Return roundings of velocity and spin that are nearly at their limits, each along an axis.
 
-    The kernel has its own besides; together these are at most 14 u of the sizes. Their signs are
-    those of what the rounding of the normal makes.
+    Their signs are those of what the rounding of the normal makes.
     """
-    v, w = (np.array([at[k] for k in names]) for names in (STATE[3:6], STATE[6:]))
     frame = exact.Frame.at(own.which, EXACT([at[k] for k in STATE[:3]]))
     axes = np.array([np.array(axis, float) for axis in (frame.n, frame.s, frame.e)])
     nudge = np.array([at[f"nudge_{k}"] for k in "xyz"])
-    slid, twisted = (
-        np.sum(axes[0] * one, axis=0) * nudge + np.sum(nudge * one, axis=0) * axes[0]
-        for one in (v, w)
-    )
-    limit = 12 * U * (np.abs(v).sum(axis=0) + R_B * np.abs(w).sum(axis=0))
-    effects = (-slid, 1), (np.cross(nudge, v, axis=0) / R_B + twisted, R_B)
+    effects, limits = own.law.effects(axes[0], nudge, at), own.law.added_roundings(at)
     offs = {}
-    for names, (effect, per) in zip((STATE[3:6], STATE[6:]), effects, strict=True):
+    for names, effect, limit in zip((STATE[3:6], STATE[6:]), effects, limits, strict=True):
         axis = axes[random.integers(0, 3, len(limit)), :, np.arange(len(limit))].T
         sign = np.where(np.sum(effect * axis, axis=0) < 0, -1, 1)
-        offs |= {f"off_{k}": off for k, off in zip(names, sign * axis * limit / per, strict=True)}
+        offs |= {f"off_{k}": off for k, off in zip(names, sign * axis * limit, strict=True)}
     return offs
 
 
 def after(own: Departures, at: Columns) -> Columns:
     """Return the computed states after contacts."""
-    state = {k: at[k] for k in STATE} | called(hoop, "impact", at)
+    state = {k: at[k] for k in STATE} | own.law.impact(at)
     state |= {k: state[k] + at.get(f"off_{k}", 0.0) for k in STATE[3:]}
     for surface, name in ((BOARD, "backboard"), (BRIDGE, "bridge")):
         put = called(hoop, f"{name}_place", at)
@@ -476,8 +563,8 @@ def after(own: Departures, at: Columns) -> Columns:
 def carried(own: Departures, at: Columns, t: Floats, kernel: str = "carry_impact") -> Columns:
     """Return the bounds after contacts, with the sum of delays."""
     with np.errstate(invalid="ignore"):
-        bounds = called(kernels, kernel, arguments(kernels, own, at, t, at))
-    return bounds | called(kernels, "clock_error_sum", own.start | bounds)
+        bounds = called(own.law.kernels, kernel, arguments(own.law.kernels, own, at, t, at))
+    return bounds | called(own.law.kernels, "clock_error_sum", own.start | bounds)
 
 
 def met(own: Departures, at: Columns, t: Floats, kernel: str = "carry_impact") -> Contacts:
@@ -501,7 +588,8 @@ def met(own: Departures, at: Columns, t: Floats, kernel: str = "carry_impact") -
         x, v, w = own.exact
         time = exact.arrival(own.which, x, v, EXACT(t))
         there, moving = exact.flown(x, v, time)
-        moving, turning = exact.after_impact(exact.Frame.at(own.which, there).n, moving, w)
+        normal = exact.Frame.at(own.which, there).n
+        moving, turning = own.law.exact_impact(normal, moving, w, own.start)
         place, pace, spins = EXACT([state[k] for k in STATE]).reshape(3, 3, -1)
         errors = there - place, moving - pace, turning - spins
         frame = exact.Frame.at(own.which, place)
@@ -513,7 +601,7 @@ def met(own: Departures, at: Columns, t: Floats, kernel: str = "carry_impact") -
         sizes |= {s.name: exact.size(one) for s, one in zip(NORMS, errors, strict=True)}
         sizes |= {"delay": abs(np.array(late, float)), "clock_error": abs(np.array(total, float))}
         true = there, moving, turning
-        return Contacts(own, bounds, sizes, coordinates[SIX], true, own.clock + time)
+        return Contacts(own, at, bounds, sizes, coordinates[SIX], true, own.clock + time)
 
 
 def check(contacts: Contacts) -> dict[str, float]:
@@ -822,7 +910,9 @@ def test_the_engine_knows_which_returns_count_from_the_level_of_their_starts() -
     check(met_by_engine(departures(3, "one"), as_given=True))
 
 
-def followed(states: Floats, most: int, kernel: str = "carry_impact") -> list[Contacts]:
+def followed(
+    states: Floats, most: int, kernel: str = "carry_impact", law: NoSlipLaw = NO_SLIP
+) -> list[Contacts]:
     """Return the contacts of shots, each with all errors since the release.
 
     Parameters
@@ -833,8 +923,11 @@ def followed(states: Floats, most: int, kernel: str = "carry_impact") -> list[Co
         How many contacts there are at most.
     kernel
         The kernel that carries the bounds.
+    law
+        The law of the contacts.
     """
-    columns, contacts = released(states), []
+    columns: Columns = released(states) | law.parameters(np.random.default_rng(0), len(states))
+    contacts: list[Contacts] = []
     with flint.ctx.workprec(exact.BITS):
         x, v, w = EXACT(states.T).reshape(3, 3, -1)
         clock = 0 * x[0]
@@ -846,7 +939,7 @@ def followed(states: Floats, most: int, kernel: str = "carry_impact") -> list[Co
         start, found = taken(columns, rows), taken(found, rows)
         last, which = start["last"].astype(int), found["which"].astype(int)
         true = x[:, rows], v[:, rows], w[:, rows]
-        own = Departures(last, which, start, found["when"], true, clock[rows], last == which)
+        own = Departures(last, which, start, found["when"], true, clock[rows], last == which, law)
         at = arguments(hoop, own, found, own.t)
         contacts.append(met(own, at, own.t, kernel))
         assert len(contacts[-1].own.t) == len(rows)
