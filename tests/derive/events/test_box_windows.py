@@ -33,10 +33,15 @@ def flights(count: int, seed: int, farthest: float) -> Columns:
     half = 10 ** random.uniform(-2, 0.5, (3, count))
     radius = 10 ** random.uniform(-2, -0.5, count)
     far = 10 ** random.uniform(-3, farthest, count)
-    centre = random.uniform(-1, 1, (3, count)) * far * 10 ** random.uniform(-3, 0, count)
+    # Some boxes are far away themselves, and the flights are short.
+    away = random.random(count) < 0.3
+    far = np.where(away, 10 ** random.uniform(farthest - 1.5, farthest, count), far)
+    centre = random.uniform(-1, 1, (3, count)) * far
+    centre *= np.where(away, 1, 10 ** random.uniform(-3, 0, count))
     velocity = random.normal(0, 1, (3, count)) * 10 ** random.uniform(-2, 1.5, count)
     velocity *= random.random((3, count)) < 0.85
     time = far / 10 ** random.uniform(-2, 1.5, count)
+    time = np.where(away, random.random(count), time)
     place = centre + (half + radius) * random.uniform(-1.3, 1.3, (3, count)) - velocity * time
     place[2] -= G * time**2 / 2
     velocity[2] += G * time
@@ -57,7 +62,7 @@ def errors_at_the_limit(values: Columns, seed: int) -> tuple[Columns, NDArray[np
     )
     kept = np.flatnonzero(least < 0)
     values = {name: v[kept] if np.ndim(v) else v for name, v in values.items()}
-    left, latest = -0.999 * least[kept], (one - least)[kept]
+    left, latest = -0.999 * least[kept], np.maximum(one - least, 1e-30)[kept]
     share = random.choice([0, 1, 0.5], len(kept))
     signs = random.choice([-1, 1], (6, len(kept)))
     size = np.array([left * share] * 3 + [left * (1 - share) / latest] * 3)

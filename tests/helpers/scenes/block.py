@@ -19,8 +19,8 @@ _PARAMETERS = (
     parameter("depth", "m", "", PAPER["end_depth"], "any"),
     parameter("from_x", "m", "", -0.75, "any"),
     parameter("to_x", "m", "", -0.39, "any"),
-    parameter("from_y", "m", "", -0.31, "any"),
-    parameter("to_y", "m", "", 0.42, "any"),
+    parameter("from_y", "m", "", 8.69, "any"),
+    parameter("to_y", "m", "", 9.42, "any"),
     parameter("from_z", "m", "", 0.11, "any"),
     parameter("to_z", "m", "", 0.53, "any"),
 )
