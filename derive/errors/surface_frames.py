@@ -24,7 +24,7 @@ from ..symbolic.conditionals import (
     maximum,
     minimum,
 )
-from ..symbolic.rounding import Rounded, rounding
+from ..symbolic.rounding import rounding
 from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, normal, position, t, velocity
 from .contact_frames import (
     BENDS,
@@ -166,8 +166,10 @@ def _of_box(surface: Box, flight: Parabola) -> Sequence[sp.Expr | int]:
 
     Where d is no larger than its rounding, K is infinite, and so are all bounds.
 
-    The roundings of F = Σ e² - R_B² are 2 Σ |e| (p + q), with p those of the place and q those of
-    e, a difference of the place and a face, and at most 8 u R_B² of its squares and sums. On a
+    The roundings of F = Σ e² - R_B² are 2 Σ |e| (p + q), with p those of the place and q = u |e|
+    those of e, the difference of the place and a face, which is an input of the scene
+    (`proves_contacts`), and at most 8 u R_B² of its squares and sums. At the start, too, q is at
+    most u R_B, which Σ q is at least. On a
     return F less its value at the start is a sum of products t m (e + e_0) with the mean velocity
     m, or of e² - e_0² with |e|, |e_0| <= |m| t: as |e|, |e_0| <= R_B but for 2^-14, these add up to
     at most 2 (ℓ (p + 2 q) + 6 u R_B ℓ), ℓ the length of the path. Newton's method leaves 9/8 of the
@@ -176,18 +178,14 @@ def _of_box(surface: Box, flight: Parabola) -> Sequence[sp.Expr | int]:
     products by 5 u 2 R_B ℓ; a difference of squares by 2 |m| t (p + 2 q) and 3 u R_B ℓ. Two sums
     follow. At both ends e is zero as computed if and only if it is, by "seams".
 
-    The normal is e over its length, and so of the length 1. It is off by Σ q/R_B, and by 4 u of
-    squares, sums, root and division.
+    The normal is e over its length, and so of the length 1; where e is zero, so is it. It is off by
+    Σ q/R_B, and by 4 u of squares, sums, root and division.
     """
     places, _ = flight_roundings(flight)
     radius = barrier(surface.radius)
     per_radius = barrier(1 / radius)
     excess = surface.excess
-    beside = []
-    for place, low, high in surface.faces:
-        known = {place: Rounded(absolute(place))}
-        sides = (rounding(barrier(place - side), known).error for side in (low, high))
-        beside.append(barrier(sp.Add(*sides)))
+    beside = [barrier(UNIT_ROUNDOFF * absolute(e)) for e in excess]
     bent_x, bent_y, bent_z = (Less(0, absolute(e)) for e in excess)
     nx, ny, _ = normal
     horizontal = barrier(sp.sqrt(barrier(nx**2 + ny**2)))

@@ -1,9 +1,9 @@
 """Deliberate faults in what the lemmas about boxes rest on: each trips a test that names it.
 
-No test notices that a margin of F, F' or F/t is less by half, since e is bounded by R_B on all axes
-and its error counts twice; that Newton's method leaves more than the roundings, or that the form
-F/t has an error of its own in `root_offset`, since that of F is larger; and that 2^-40 of C in M
-and three times V² in C are less, but not nothing. The lemmas need these.
+Terms that are more generous than needed, and roundings beside larger ones, are held against the
+counts of their lemmas alone. No test notices a certain root with half of the slope's square that
+the lemma asks for, or without the margin of the slope: those are of `root_finder.py`, and a root of
+a box follows from less. Nor what Newton's method leaves in `root_offset`: roundings are mostly more.
 """
 
 from __future__ import annotations
@@ -67,6 +67,9 @@ certain = OfFormulas(
     margins.test_a_certain_root_is_one_and_the_gap_bends_no_more_than_the_ceiling_until_it
 )
 ends = OfFormulas(margins.test_where_newtons_method_ends_the_gap_is_within_its_margin)
+counts = OfFormulas(
+    margins.test_bounds_are_no_smaller_than_the_counts_of_their_lemmas, ((False,), (True,))
+)
 comes_up = OfFormulas(rising.test_a_ball_that_comes_up_to_the_end_has_met_no_box_before)
 
 of_block = partial(OfBlock, scene=BLOCK)
@@ -78,6 +81,7 @@ roots = of_block(
     frames.test_at_a_computed_root_the_exact_flight_is_as_far_off_the_block_as_its_bound,
     ((0.0,), (1.0,)),
 )
+root_counts = of_block(frames.test_bounds_at_a_root_are_no_smaller_than_the_counts_of_their_lemma)
 growth = of_block(
     frames.test_errors_at_their_limits_stay_within_the_bounds, (("one",), ("many",), ("one large",))
 )
@@ -229,6 +233,46 @@ FAULTS = (
         in_box("ceiling", "3 * self._fastest**2", "self._fastest**2 / 64"),
         ends,
     ),
+    Planted(
+        "the ceiling has the velocity once",
+        in_box("ceiling", "3 * self._fastest**2", "self._fastest**2"),
+        counts,
+    ),
+    Planted(
+        "the ceiling is that of the windows alone",
+        in_box("ceiling", "CEILING_BOX_FACTOR * ", ""),
+        counts,
+    ),
+    Planted(
+        "the bound on how the gap bends has no roundings",
+        in_box("_pull_bound", "sp.Rational(1, 2**40) * ceiling", "0 * ceiling"),
+        counts,
+    ),
+    Planted(
+        "free fall brings no ball beyond a face",
+        in_box("_pull_bound", " + absolute(a) * width / 2", ""),
+        counts,
+    ),
+    Planted(
+        "neighbouring times have the same gap",
+        in_box("margins", " + time_rounding(rate) * horizon", ""),
+        counts,
+    ),
+    Planted(
+        "neighbouring times have the same mean rate",
+        in_box("margins", "2 * change.error + time_rounding(rate)", "2 * change.error"),
+        counts,
+    ),
+    Planted(
+        "the error of e counts once in the mean rate",
+        in_box("margins", "2 * change.error", "change.error"),
+        counts,
+    ),
+    Planted(
+        "a margin is not rounded upwards",
+        in_box("margins", "ROUNDING_SLACK * (gap.error", "(gap.error"),
+        counts,
+    ),
     # Frames of contacts.
     Planted(
         "an edge is straight",
@@ -281,6 +325,43 @@ FAULTS = (
         "a root has no roundings",
         in_frames("once = barrier(rounded + 8 * UNIT_ROUNDOFF * radius)", "once = sp.Integer(0)"),
         roots,
+    ),
+    Planted(
+        "a root has no roundings of squares",
+        in_frames("once = barrier(rounded + 8 * UNIT_ROUNDOFF * radius)", "once = rounded"),
+        root_counts,
+    ),
+    Planted(
+        "Newton's method leaves no roundings",
+        in_frames("maximum(sp.Rational(9, 8) * noise, residue)", "residue"),
+        root_counts,
+    ),
+    Planted(
+        "the time of a root has no rounding",
+        in_frames("barrier(absolute(normal_velocity) * t)", "0 * t"),
+        root_counts,
+    ),
+    Planted(
+        "a return has no roundings of places",
+        in_frames("barrier(barrier(sum(own)) * path * per_radius + ", "barrier("),
+        root_counts,
+    ),
+    Planted(
+        "a return has no roundings of products",
+        in_frames(" + 12 * UNIT_ROUNDOFF * path", ""),
+        root_counts,
+    ),
+    Planted(
+        "a return is found with F/t alone",
+        in_frames(
+            "offset, level = maximum(again, barrier(once + BOUNDS[0])), ", "offset, level = again, "
+        ),
+        roots,
+    ),
+    Planted(
+        "the rounding of e turns no normal",
+        in_frames("2 * barrier(sum(beside)) * per_radius + ", ""),
+        root_counts,
     ),
     Planted(
         "a return comes to the surface",

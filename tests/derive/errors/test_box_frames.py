@@ -172,7 +172,7 @@ def test_the_rounding_of_the_normal_is_within_its_bound() -> None:
     with flint.ctx.workprec(exact.BITS):
         off = norms(BOX.frame(EXACT(place)).n - EXACT([found[k] for k in NORMAL]))
     share = off / np.asarray(found["normal_rounding"], float)
-    assert 0.0005 < share.max() <= 1, share.max()
+    assert 0.1 < share.max() <= 1, share.max()
 
 
 # -------------------------------------------------------------------------------------- departures
@@ -355,7 +355,44 @@ def test_at_a_computed_root_the_exact_flight_is_as_far_off_the_block_as_its_boun
     edges = np.sum(np.abs(np.array([at[k] for k in NORMAL])) > 0, axis=0)
     for kind in (1, 2, 3):
         share = np.max((from_level / at["root_offset"])[edges == kind])
-        assert share > (1e-4 if leaving else 0.05), (kind, share)
+        assert share > (5e-4 if leaving else 0.2), (kind, share)
+
+
+def counted(own: Flights, at: Columns, t: Floats) -> tuple[Floats, Floats]:
+    """Return how far a root is off the level of its start, and off the surface, as counted."""
+    moving = np.array([at[k] for k in STATE[3:6]])
+    pull = np.array([0.0, 0.0, G])[:, None]
+    mean, place = moving + pull * t / 2, np.array([at[k] for k in STATE[:3]])
+    rounded = U * (np.abs(place) + 2 * np.abs(mean) * t + pull * t**2 / 2)
+    with flint.ctx.workprec(exact.BITS):
+        rounded += 2 * U * np.abs(np.array(BOX.excess(EXACT(place)), float))
+    path = np.abs(moving).sum(axis=0) * t + G * t**2
+    normal = np.array([at[k] for k in NORMAL])
+    steep = at["normal_velocity"] ** 2 / (moving**2).sum(axis=0)
+    once = np.sum(np.abs(normal) * rounded, axis=0) + 8 * U * R_B
+    again = rounded.sum(axis=0) * path / R_B + 12 * U * path
+    once, again = (
+        noise + np.maximum(9 / 8 * noise, 16 * U * R_B * steep) + U * abs(at["normal_velocity"]) * t
+        for noise in (once, again)
+    )
+    level = own.start["place_n"]
+    return (
+        np.where(own.back, np.maximum(again, once + level), once),
+        np.where(own.back, np.maximum(level + again, once), once),
+    )
+
+
+def test_bounds_at_a_root_are_no_smaller_than_the_counts_of_their_lemma() -> None:
+    """Nor larger, but for single precision; so is that of the normal."""
+    own = flights(13, "one")
+    t = np.array(exact_roots(own), float)
+    at = before_contact(own, called("flight", own.start | {"t": t}), t)
+    with flint.ctx.workprec(exact.BITS):
+        beyond = np.abs(np.array(BOX.excess(EXACT([at[k] for k in STATE[:3]])), float)).sum(axis=0)
+    names = ("root_offset", "root_level", "normal_rounding")
+    for name, least in zip(names, (*counted(own, at, t), U * (2 * beyond / R_B + 8)), strict=True):
+        ratio = np.asarray(at[name], float) / least
+        assert np.all(np.abs(ratio - 1) < 1e-4), (name, ratio.min(), ratio.max())
 
 
 # ------------------------------------------------------------------------------------------ growth
