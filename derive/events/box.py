@@ -6,17 +6,17 @@ is continuous, which suffices for steps from the left and Newton's method.
 
 In the lemmas gravity g is along an axis; F, E, F^, m, m', G, S, M and C are those of
 `root_finder.py`, w is the inflation of the box, and T the end of its last window. V = |v| + g T and
-X = |x| + T V are sums of sizes, X <= 2^16 R_B. The error of a coordinate until T is at most d = p +
-v T + 4 u X (`Parabola.rounding`), with the errors p and v of the budget. The faces' places are
-inputs of the scene. R̂ = R_B + 2 w.
+X = |x| + T V are sums of sizes, X <= 2^40 R_B: it is at most 2^16 R (`scenes/premises.py`). The
+error of a coordinate until T is at most d = p + v T + 4 u X (`Parabola.rounding`), with the errors
+p and v of the budget. The faces' places are inputs of the scene. R̂ = R_B + 2 w.
 
 **Lemma (reach).** In the windows |e| <= R̂, for the true ball, the computed state's, and as
-computed. The latter are off by at most δ - d, with δ of `_roundings`.
+computed. The last are off by at most δ/2 >= d, with δ of `_roundings`.
 
 *Proof.* By the lemma of `box_windows.py` the ball of the computed state is within h + w + η, so
 that its e is at most R_B + 5/4 w; the true ball is off by w/4, and roundings are less than that. e
-changes by no more than its coordinate does. It is a difference of the coordinate and one of the
-faces, of which δ has the roundings, and d twice. ∎
+changes by no more than its coordinate does, d, and is one difference from an input, off by u |e|. δ
+is 2 d and both differences' u (X + |low|) and u (X + |high|), of which either is at least u |e|. ∎
 
 **Lemma (curvature).** While t + s is in a window, E'(t + s) >= E'(t) - M s - 2 V d; and |F''| <= C
 as long as each |e| is at most 5/4 R̂ and |v|² at most 3 V². M has at least 2^-41 C to spare.
@@ -27,12 +27,12 @@ together, and at most R̂. As computed, e_z is off by ε <= 3 u X besides roundi
 those of M, all relative, they make less than 2^-41 (5/2 g R̂ + 6 V²) = 2^-41 C. ε makes E' smaller
 by no more than 2 g ε s <= 2 V ε < 2 V d. |F''| <= 2 |v|² + 2 g |e_z| <= C. ∎
 
-m' has 2 V d to spare, as δ counts d twice: so the lemma of steps holds.
+m' has 2 V d to spare, as it has 2 V δ and needs half of that: so the lemma of steps holds.
 
 *Roundings of a step.* Where the parabola rises first, the root is off by 4 u of itself, and the sum
 t + s by u (t + s); if t <= s, they move the parabola by less than 12 u M s², which the spare part
 of M contains. Where it falls first, they move it by 8 u G, and by 4 u G if t <= s. As s <= T, or
-the step ends with the window, G <= |S| s + M s²/2 <= 3 R̂ V T + 2^22 R̂ d, with 2 m' T of |S|. Of m 6
+the step ends with the window, G <= |S| s + M s²/2 <= 3 R̂ V T + 2^46 R̂ d, with 2 m' T of |S|. Of m 6
 R̂ d >= 24 u R̂ X are left over, and 10 u R̂ V T of the 12 for neighbouring times, of which the sum, if
 t > s, needs 2. On a return G <= 2 R̂ V t, and of 60 u R̂ V t 10 are used (`margins`).
 
@@ -234,25 +234,21 @@ class BoxRootFinder(RootFinder):
 
         **Lemma (margins of a box).** In the windows F and F' of the true ball are within m and m'
         of those computed at the same time. On a return, F/t is within its margin of the one
-        computed, if the ball started at a contact whose bounds are finite.
+        computed.
 
-        *Proof.* By the lemma "reach" e² changes by at most 2 R̂ (δ - d). The squares, their sum and
-        R_B² have roundings of 4 u Σ e² + 4 u R_B² <= 12 u R̂² + 4 u R_B². m has 2 R̂ δ of each axis
-        and as many roundings. So F' changes by at most 2 Σ (V (δ - d) + R̂ (v + 2 u V)), and has
-        roundings of 3 u 2 R̂ V.
+        *Proof.* By the lemma "reach" e² changes by at most R̂ δ. The squares, their sum and R_B²
+        have roundings of 4 u Σ e² + 4 u R_B² <= 12 u R̂² + 4 u R_B². m has 2 R̂ δ of each axis and
+        as many roundings. So F' changes by at most 2 Σ (V δ/2 + R̂ (v + 2 u V)), and has roundings
+        of 3 u 2 R̂ V.
 
         On a return let s be e at the start, and k the mean velocity, off by v + 3 u V. A product
-        k (e + s) is off by 2 V δ + 2 R̂ (v + 3 u V). If e s <= 0 for the true ball alone, its e is
-        within δ of zero and |s| <= |k| t, so that e² - s² is off k t (e + s) by V δ t more. If it
-        is so as computed alone, the computed e² - s² is off in the same way. If it is so for both,
-        |e| and |s| are at most |k| t, and the difference is off by 4 V δ t. Computed e and s are no
-        larger than |k| t but for the rounding of the place, u |x_t|: the start is off each seam by
-        more than 2^-20 of the faces' places, by "seams" in `errors/surface_frames.py`, so that the
-        ball has flown 2^30 times as far. The roundings of the sum are less than 10 u R̂ V. The
-        margin has 4 V δ + 4 R̂ (v + 3 u V) of each axis and 60 u R̂ V. ∎
-
-        At a start on a seam, or within a rounding of it, the margin of F/t may be too small at
-        times below u X/V. After a contact there bounds are infinite, and the shot is uncertain.
+        k (e + s) is off by V δ + 2 R̂ (v + 3 u V). If e s <= 0 for the true ball alone, one of e
+        and s is within δ/2 of zero, the other is at most |k| t, and e² - s² is off k t (e + s) by
+        V δ t/2 more. As computed |e| and |s| are then at most 2 |k| t: the start is a double, and
+        the place at t the one that is nearest to the sum of it and k t. So if e s <= 0 as computed
+        alone, it is V δ t more. If it is so for both, e² and s² are each off by at most
+        (1 + 2) V t δ/2. The roundings of the sum are less than 10 u R̂ V. The margin has 4 V δ +
+        4 R̂ (v + 3 u V) of each axis and 60 u R̂ V. ∎
         """
         now, since = self._roundings()
         gap = self._gap_rounding(now)

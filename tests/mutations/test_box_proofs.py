@@ -3,7 +3,7 @@
 Terms that are more generous than needed, and roundings beside larger ones, are held against the
 counts of their lemmas alone. No test notices a certain root with half of the slope's square that
 the lemma asks for, or without the margin of the slope: those are of `root_finder.py`, and a root of
-a box follows from less. Nor what Newton's method leaves in `root_offset`: roundings are mostly more.
+a box follows from less. Nor what Newton's method leaves in `root_offset`, as roundings are more.
 """
 
 from __future__ import annotations
