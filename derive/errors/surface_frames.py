@@ -24,7 +24,7 @@ from ..symbolic.conditionals import (
     maximum,
     minimum,
 )
-from ..symbolic.rounding import Rounded, rounding
+from ..symbolic.rounding import rounding
 from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, normal, position, t, velocity
 from .contact_frames import (
     BENDS,
@@ -41,8 +41,9 @@ from .contact_frames import (
     sharpest_bend,
 )
 
-SEAM_SHARE = 100
-"""One over the largest share of the curvature's radius that errors may make (`second_order`)."""
+SEAM_SHARE = 50
+"""Half of one over the largest share of the curvature's radius that errors may make
+(`second_order`): the ball is off the surface by as much again."""
 
 SEAM_ROUNDING = sp.Rational(1, 2**20)
 """Roundings of a distance from a face in single precision, of the sizes of the faces' places."""
@@ -144,30 +145,47 @@ def _of_box(surface: Box, flight: Parabola) -> Sequence[sp.Expr | int]:
     """Return the numbers of a contact with a box along the axes.
 
     Around a face the normals are those of an axis, around an edge those of a cylinder, and around a
-    corner those of a sphere, all with the radius R_B. With h for the horizontal part of the normal,
-    1/ρ is 1/(R_B h) at corners and vertical edges, and zero elsewhere.
+    corner those of a sphere, all with the radius R_B. e is horizontal, along an edge that is level
+    and around one that is vertical, and s = e × n. At an edge along x or y the frame turns about
+    e, by 1/R_B; at a vertical one about z, by 1/R_B; at a corner about e by 1/R_B, and about z by
+    1/ρ = 1/(R_B h), with h for the horizontal part of the normal. K is the largest of 1/R_B and
+    1/ρ, so that |Ω q| <= K |q|, as e and z are perpendicular.
 
-    **Lemma (seams).** The bound K on the curvature also is at least 1/(100 d), with the distance d
-    from the nearest plane that a face lies in. As `second_order` asks that K Q <= 1/100, no seam is
-    within the way Q, and the distance from the box is smooth there.
+    **Lemma (seams).** The bound K on the curvature also is at least 1/(50 d), with the distance d
+    of the computed place from the nearest plane that a face lies in. So, where K Q <= 1/100
+    (`second_order`), each e is zero all over the ball of radius Q about the nearest place on the
+    surface, or nowhere in it, and G there is the distance from a plane, a line or a point less R_B,
+    with derivatives as `second_order` asks. The true ball is in it at the contact, and departs
+    there.
 
-    The roundings of F = Σ e² - R_B² are 2 Σ |e| (p + q), with p those of the place and q those of
-    e, a difference of the place and a face, and at most 8 u R_B² of its squares and sums. On a
+    *Proof.* Q <= d/2, and that place is no further from the computed one than Q. As computed d is
+    less by 2^-20 of the faces' places, 16 units of single precision, of which place and difference
+    have two. From a line or a point the distance r has DDG with the eigenvalues 0 and 1/r, and
+    DDDG(u, u) = -(τ² n + 2 u_n τ)/r², with the part τ of u across n: at most 1.16/r², and r >= R_B
+    - Q. The true ball meets the surface within Q ("delay"). ∎
+
+    Where d is no larger than its rounding, K is infinite, and so are all bounds.
+
+    The roundings of F = Σ e² - R_B² are 2 Σ |e| (p + q), with p those of the place and q = u |e|
+    those of e, the difference of the place and a face, which is an input of the scene
+    (`proves_contacts`), and at most 8 u R_B² of its squares and sums. At the start, too, q is at
+    most u R_B, which Σ q is at least. On a
     return F less its value at the start is a sum of products t m (e + e_0) with the mean velocity
     m, or of e² - e_0² with |e|, |e_0| <= |m| t: as |e|, |e_0| <= R_B but for 2^-14, these add up to
     at most 2 (ℓ (p + 2 q) + 6 u R_B ℓ), ℓ the length of the path. Newton's method leaves 9/8 of the
     roundings, or 2^-49 F'²/C with C >= 6 v², and u t of the time. On a return either form may be
-    taken. The distance is F/(2 R_B).
+    taken. The distance is F/(2 R_B). A product is off by |m| t (p + 2 q), and its m, sum and two
+    products by 5 u 2 R_B ℓ; a difference of squares by 2 |m| t (p + 2 q) and 3 u R_B ℓ. Two sums
+    follow. At both ends e is zero as computed if and only if it is, by "seams".
+
+    The normal is e over its length, and so of the length 1; where e is zero, so is it. It is off by
+    Σ q/R_B, and by 4 u of squares, sums, root and division.
     """
     places, _ = flight_roundings(flight)
     radius = barrier(surface.radius)
     per_radius = barrier(1 / radius)
     excess = surface.excess
-    beside = []
-    for place, low, high in surface.faces:
-        known = {place: Rounded(absolute(place))}
-        sides = (rounding(barrier(place - side), known).error for side in (low, high))
-        beside.append(barrier(sp.Add(*sides)))
+    beside = [barrier(UNIT_ROUNDOFF * absolute(e)) for e in excess]
     bent_x, bent_y, bent_z = (Less(0, absolute(e)) for e in excess)
     nx, ny, _ = normal
     horizontal = barrier(sp.sqrt(barrier(nx**2 + ny**2)))
@@ -181,7 +199,7 @@ def _of_box(surface: Box, flight: Parabola) -> Sequence[sp.Expr | int]:
     nearest = barrier(minimum(*surface.ways_to_seams))
     blurred = barrier(
         SEAM_ROUNDING
-        * barrier(sp.Add(*(sp.Abs(side) for _, *sides in surface.faces for side in sides)))
+        * barrier(sp.Add(*(rounding(side, {}).magnitude for side in (*surface.low, *surface.high))))
     )
     apart = barrier(nearest - blurred)
     sharpest = IfLess(

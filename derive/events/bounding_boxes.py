@@ -33,6 +33,25 @@ at the end of the flight, and at a contact within R_B of the plate's. So a fligh
 plate if the smaller of its ends exceeds the upper face by more than R_B + s, or the larger one is
 as far below the lower face. Here s is the error of the path, p + v T + W X with X the size of the
 flight, of which the roundings of all of this are a tiny part.
+
+**Lemma (apart).** Let the places of a body's faces be inputs. If one of these tests has the body
+apart from a flight, or from a half of it, the true ball does not meet it until the horizon, or in
+that half.
+
+*Proof.* By the lemma "flight" (`motion/parabola.py`) a coordinate of the true ball is within p + v
+T + 4 u X of that of the computed state without roundings, which is between both ends, or one end
+and the apex, or within a q²/8 of the chord of a half; a half lasts horizon/2 exactly. As computed
+these are off by less than 8 u (X + r), and r has W (X + r) = 2^23 u (X + r) besides p + v T. So the
+true ball is within r of m, less 2^22 u (X + r).
+
+c, h and s are means and differences of inputs, with R_B: with them the differences and sums are off
+by less than 8 u (|c - m| + |m| + h + r), and |m| <= X + r. If |c - m| > (1 + W) (h + r) as
+computed, it exceeds h and the distance of the true ball from m along that axis, and at a contact
+the ball is within h of c. d as computed is at most 1 + 8 u times the distance between the boxes of
+half sizes s and r, and W R_B² is more than the roundings of Σ d²: so at no time has the true ball
+Σ e² = R_B² (`surfaces/box.py`). A plate is met within R_B of its planes alone, between which and
+the two ends is more than s. If the earliest arrival may be later than the horizon, r and s are
+infinite, and no body is apart. ∎
 """
 
 from __future__ import annotations

@@ -3,6 +3,55 @@
 With e for how far a coordinate is beyond a face (`surfaces/box.py`), F = Σ e² - R_B². Where F''
 exists, it is the sum of 2 v² + 2 e a over the coordinates with e not zero, at least -2 Σ |e a|. F'
 is continuous, which suffices for steps from the left and Newton's method.
+
+In the lemmas gravity g is along an axis; F, E, F^, m, m', G, S, M and C are those of
+`root_finder.py`, w is the inflation of the box, and T the end of its last window. V = |v| + g T and
+X = |x| + T V are sums of sizes, X <= 2^40 R_B: it is at most 2^16 R (`scenes/premises.py`). The
+error of a coordinate until T is at most d = p + v T + 4 u X (`Parabola.rounding`), with the errors
+p and v of the budget. The faces' places are inputs of the scene. R̂ = R_B + 2 w.
+
+**Lemma (reach).** In the windows |e| <= R̂, for the true ball, the computed state's, and as
+computed. The last are off by at most δ/2 >= d, with δ of `_roundings`.
+
+*Proof.* By the lemma of `box_windows.py` the ball of the computed state is within h + w + η, so
+that its e is at most R_B + 5/4 w; the true ball is off by w/4, and roundings are less than that. e
+changes by no more than its coordinate does, d, and is one difference from an input, off by u |e|. δ
+is 2 d and both differences' u (X + |low|) and u (X + |high|), of which either is at least u |e|. ∎
+
+**Lemma (curvature).** While t + s is in a window, E'(t + s) >= E'(t) - M s - 2 V d; and |F''| <= C
+as long as each |e| is at most 5/4 R̂ and |v|² at most 3 V². M has at least 2^-41 C to spare.
+
+*Proof.* E' and F' are continuous, at the seams too, so they are integrals of their derivatives. As
+v² is not negative, -E'' <= 2 g |e_z|; and |e_z| at t + s is at most that at t, |v_z| s and g s²/2
+together, and at most R̂. As computed, e_z is off by ε <= 3 u X besides roundings relative to R̂; with
+those of M, all relative, they make less than 2^-41 (5/2 g R̂ + 6 V²) = 2^-41 C. ε makes E' smaller
+by no more than 2 g ε s <= 2 V ε < 2 V d. |F''| <= 2 |v|² + 2 g |e_z| <= C. ∎
+
+m' has 2 V d to spare, as it has 2 V δ and needs half of that: so the lemma of steps holds.
+
+*Roundings of a step.* Where the parabola rises first, the root is off by 4 u of itself, and the sum
+t + s by u (t + s); if t <= s, they move the parabola by less than 12 u M s², which the spare part
+of M contains. Where it falls first, they move it by 8 u G, and by 4 u G if t <= s. As s <= T, or
+the step ends with the window, G <= |S| s + M s²/2 <= 3 R̂ V T + 2^46 R̂ d, with 2 m' T of |S|. Of m 6
+R̂ d >= 24 u R̂ X are left over, and 10 u R̂ V T of the 12 for neighbouring times, of which the sum, if
+t > s, needs 2. On a return G <= 2 R̂ V t, and of 60 u R̂ V t 10 are used (`margins`).
+
+**Lemma (certain root).** Let r = -F^' - m' > 0 and r² > 8 C (2 G + m). Then the true F has a zero
+after t, where the ball meets the box, and the first one is simple.
+
+*Proof.* F(t) <= G + 2 m <= 2 (2 G + m), and so r² > 4 C F(t); as r <= 2 R̂ V and C >= 6 V², F(t) <
+R̂²/6. While F' < 0, Σ e² does not grow beyond F(t) + R_B² < 7/6 R̂², so that each |e| < 5/4 R̂: this
+is where a coordinate that grows takes part in a sum that falls. Until 2 F(t)/r, also if that is
+after T, the velocity changes by g 2 F/r < g sqrt(F/C) <= V/2, since C >= 5/2 g R̂ and g F < 0.4 R̂
+V²; and the errors are a tiny part of V. So |F''| <= C as long as F' < 0, and F'(t + s) <= -r + C s
+is negative until r/C > 2 F(t)/r, when F has fallen through zero, as F(t) - r s + C s²/2 has. F is
+the squared distance from the box less R_B² everywhere, so this is a contact. ∎
+
+*Where Newton's method ends.* As on the ring, |F| <= 2^-49 F'²/C besides roundings, and C >= 6 V²
+makes that at most 11 u R̂², while m has 16 u R_B² at least. On a return m has 96 u R̂ V t at least.
+Either F' = 0 in between and |F''| <= C, so that |F'| <= C t, and it is at most 2^-49 |F'| t <= 32 u
+R̂ V t; or the ball was beyond 5/4 R̂, so that V t > R_B/2, and 11 u R̂² are less than a third of m. So
+|F| <= 7/3 m for the lemma in `event_polynomials.crossing`.
 """
 
 from __future__ import annotations
@@ -103,7 +152,7 @@ class BoxRootFinder(RootFinder):
 
         Each is a product with t if e has the same sign now and at the start. Else one of the two is
         zero, or they are on both sides of the box: the rest is then no further beyond its face than
-        the ball has flown, and as exact as a product with t.
+        the ball has flown, and as exact as a product with t (`margins`).
         """
         changes = []
         means = self.box.turned(self.flight.mean_velocity())
@@ -181,7 +230,26 @@ class BoxRootFinder(RootFinder):
 
     @property
     def margins(self) -> dict[str, sp.Expr]:
-        """Bounds by running error analysis; e is off by its coordinate's error and one sum."""
+        """Bounds by running error analysis; e is off by its coordinate's error and one sum.
+
+        **Lemma (margins of a box).** In the windows F and F' of the true ball are within m and m'
+        of those computed at the same time. On a return, F/t is within its margin of the one
+        computed.
+
+        *Proof.* By the lemma "reach" e² changes by at most R̂ δ. The squares, their sum and R_B²
+        have roundings of 4 u Σ e² + 4 u R_B² <= 12 u R̂² + 4 u R_B². m has 2 R̂ δ of each axis and
+        as many roundings. So F' changes by at most 2 Σ (V δ/2 + R̂ (v + 2 u V)), and has roundings
+        of 3 u 2 R̂ V.
+
+        On a return let s be e at the start, and k the mean velocity, off by v + 3 u V. A product
+        k (e + s) is off by V δ + 2 R̂ (v + 3 u V). If e s <= 0 for the true ball alone, one of e
+        and s is within δ/2 of zero, the other is at most |k| t, and e² - s² is off k t (e + s) by
+        V δ t/2 more. As computed |e| and |s| are then at most 2 |k| t: the start is a double, and
+        the place at t the one that is nearest to the sum of it and k t. So if e s <= 0 as computed
+        alone, it is V δ t more. If it is so for both, e² and s² are each off by at most
+        (1 + 2) V t δ/2. The roundings of the sum are less than 10 u R̂ V. The margin has 4 V δ +
+        4 R̂ (v + 3 u V) of each axis and 60 u R̂ V. ∎
+        """
         now, since = self._roundings()
         gap = self._gap_rounding(now)
         terms = [e * v for e, v in zip(EXCESS, VELOCITY, strict=True)]

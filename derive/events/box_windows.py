@@ -2,6 +2,34 @@
 
 The box is inflated by 2^-14 of its smallest half size. The errors of the state and the roundings
 here together stay below a quarter of that; otherwise the search is lost.
+
+**Lemma (windows of a box).** Let `lost` be at most zero, and gravity be along an axis and of a
+known sign. If the true ball is in the box, |x_k - c_k| <= h_k along each axis, at a time t up to
+the horizon, then t is in a window as computed, and on neither edge of it but 0 and the horizon.
+
+*Proof.* Let w be 2^-14 of the smallest half size, d = |x| + |c| + the largest half size, and
+η = 2^-48 (d + |v|²/g). By `time_to_leave` t is no later than the time T in `lost`, until which a
+coordinate of the true ball is off the one of the computed state, without roundings, by at most
+p + v T <= w/4 - η. So the latter is within h + w/4 - η at t. It remains to show that at each edge
+of a window, as computed, it is further from the centre than h + w/2 - η, on the way out or in; then
+no window ends before t or begins after it. Exactly, it is at h + w there. Let P = |x_k - c_k| + h +
+w < 1.001 d.
+
+- *Places.* The difference, c, a mean of two inputs, and h + w are off by 5 u d in all. Corners that
+  are formulas have roundings of their own, which may be as large as w/2.
+- *Without acceleration* a time has two roundings more, in which the ball flies 2 u P.
+- *Along gravity*, at the time (v ± s)/g, the ball is (v² - s²)/(2 g) above its start: s² = D that
+  is off by δ moves it by δ/(2 g). D is off by 2 u v² + 6 u g P, and its root by u, as of 2 u D:
+  together a displacement of u (2 v²/g + 5 P). The sum, 1/g and the product make the time off by 3 u
+  of itself, in which the ball, with the speed s, flies 3 u s (|v| + s)/g <= u (6 v²/g + 9 P).
+
+These are less than 8 u v²/g + 20 u d < η. If D < 0 as computed at the bottom, the ball never comes
+above it by more than η; and if D <= 0 at the top, one window reaches over the apex, where the ball
+is above the top by less than η. Windows are cut off at zero and at the horizon, which are exact. ∎
+
+By the same displacements the ball is within h + w + η along each axis throughout a window. Scenes
+in which gravity may be zero have no proved bounds, so that the lemma says nothing of
+`_perhaps_falling`.
 """
 
 from __future__ import annotations
