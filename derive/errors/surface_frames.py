@@ -24,7 +24,7 @@ from ..symbolic.conditionals import (
     maximum,
     minimum,
 )
-from ..symbolic.rounding import rounding
+from ..symbolic.rounding import is_input, rounding
 from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, normal, position, t, velocity
 from .contact_frames import (
     BENDS,
@@ -167,16 +167,16 @@ def _of_box(surface: Box, flight: Parabola) -> Sequence[sp.Expr | int]:
     Where d is no larger than its rounding, K is infinite, and so are all bounds.
 
     The roundings of F = Σ e² - R_B² are 2 Σ |e| (p + q), with p those of the place and q = u |e|
-    those of e, the difference of the place and a face, which is an input of the scene
-    (`proves_contacts`), and at most 8 u R_B² of its squares and sums. At the start, too, q is at
-    most u R_B, which Σ q is at least. On a
-    return F less its value at the start is a sum of products t m (e + e_0) with the mean velocity
-    m, or of e² - e_0² with |e|, |e_0| <= |m| t: as |e|, |e_0| <= R_B but for 2^-14, these add up to
-    at most 2 (ℓ (p + 2 q) + 6 u R_B ℓ), ℓ the length of the path. Newton's method leaves 9/8 of the
-    roundings, or 2^-49 F'²/C with C >= 6 v², and u t of the time. On a return either form may be
-    taken. The distance is F/(2 R_B). A product is off by |m| t (p + 2 q), and its m, sum and two
-    products by 5 u 2 R_B ℓ; a difference of squares by 2 |m| t (p + 2 q) and 3 u R_B ℓ. Two sums
-    follow. At both ends e is zero as computed if and only if it is, by "seams".
+    those of e, the difference of the place and a face, which is an input of the scene; of a sum of
+    two, as in `COURT`, q has that rounding, too. There are at most 8 u R_B² of its squares and
+    sums. At the start, too, q is at most u R_B, which Σ q is at least. On a return F less its value
+    at the start is a sum of products t m (e + e_0) with the mean velocity m, or of e² - e_0² with
+    |e|, |e_0| <= |m| t: as |e|, |e_0| <= R_B but for 2^-14, these add up to at most 2 (ℓ (p + 2 q)
+    + 6 u R_B ℓ), ℓ the length of the path. Newton's method leaves 9/8 of the roundings, or 2^-49
+    F'²/C with C >= 6 v², and u t of the time. On a return either form may be taken. The distance is
+    F/(2 R_B). A product is off by |m| t (p + 2 q), and its m, sum and two products by 5 u 2 R_B ℓ;
+    a difference of squares by 2 |m| t (p + 2 q) and 3 u R_B ℓ. Two sums follow. At both ends e is
+    zero as computed if and only if it is, by "seams".
 
     The normal is e over its length, and so of the length 1; where e is zero, so is it. It is off by
     Σ q/R_B, and by 4 u of squares, sums, root and division.
@@ -185,7 +185,10 @@ def _of_box(surface: Box, flight: Parabola) -> Sequence[sp.Expr | int]:
     radius = barrier(surface.radius)
     per_radius = barrier(1 / radius)
     excess = surface.excess
-    beside = [barrier(UNIT_ROUNDOFF * absolute(e)) for e in excess]
+    beside = []
+    for e, (_, *sides) in zip(excess, surface.faces, strict=True):
+        sums = (rounding(side, {}).error for side in sides if not is_input(side))
+        beside.append(barrier(UNIT_ROUNDOFF * absolute(e) + sp.Add(*sums)))
     bent_x, bent_y, bent_z = (Less(0, absolute(e)) for e in excess)
     nx, ny, _ = normal
     horizontal = barrier(sp.sqrt(barrier(nx**2 + ny**2)))

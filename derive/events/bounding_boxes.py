@@ -34,9 +34,9 @@ plate if the smaller of its ends exceeds the upper face by more than R_B + s, or
 as far below the lower face. Here s is the error of the path, p + v T + W X with X the size of the
 flight, of which the roundings of all of this are a tiny part.
 
-**Lemma (apart).** Let the places of a body's faces be inputs. If one of these tests has the body
-apart from a flight, or from a half of it, the true ball does not meet it until the horizon, or in
-that half.
+**Lemma (apart).** Let the places of a body's faces be inputs, or sums of two. If one of these tests
+has the body apart from a flight, or from a half of it, the true ball does not meet it until the
+horizon, or in that half.
 
 *Proof.* By the lemma "flight" (`motion/parabola.py`) a coordinate of the true ball is within p + v
 T + 4 u X of that of the computed state without roundings, which is between both ends, or one end
@@ -44,7 +44,7 @@ and the apex, or within a q²/8 of the chord of a half; a half lasts horizon/2 e
 these are off by less than 8 u (X + r), and r has W (X + r) = 2^23 u (X + r) besides p + v T. So the
 true ball is within r of m, less 2^22 u (X + r).
 
-c, h and s are means and differences of inputs, with R_B: with them the differences and sums are off
+c, h and s are means and differences of these, with R_B: with them the differences and sums are off
 by less than 8 u (|c - m| + |m| + h + r), and |m| <= X + r. If |c - m| > (1 + W) (h + r) as
 computed, it exceeds h and the distance of the true ball from m along that axis, and at a contact
 the ball is within h of c. d as computed is at most 1 + 8 u times the distance between the boxes of

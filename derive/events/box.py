@@ -8,7 +8,8 @@ In the lemmas gravity g is along an axis; F, E, F^, m, m', G, S, M and C are tho
 `root_finder.py`, w is the inflation of the box, and T the end of its last window. V = |v| + g T and
 X = |x| + T V are sums of sizes, X <= 2^40 R_B: it is at most 2^16 R (`scenes/premises.py`). The
 error of a coordinate until T is at most d = p + v T + 4 u X (`Parabola.rounding`), with the errors
-p and v of the budget. The faces' places are inputs of the scene. R̂ = R_B + 2 w.
+p and v of the budget. The faces' places are inputs of the scene; in `COURT` some are sums
+f = a + b of two, of the opposite face and the width. R̂ = R_B + 2 w.
 
 **Lemma (reach).** In the windows |e| <= R̂, for the true ball, the computed state's, and as
 computed. The last are off by at most δ/2 >= d, with δ of `_roundings`.
@@ -16,7 +17,11 @@ computed. The last are off by at most δ/2 >= d, with δ of `_roundings`.
 *Proof.* By the lemma of `box_windows.py` the ball of the computed state is within h + w + η, so
 that its e is at most R_B + 5/4 w; the true ball is off by w/4, and roundings are less than that. e
 changes by no more than its coordinate does, d, and is one difference from an input, off by u |e|. δ
-is 2 d and both differences' u (X + |low|) and u (X + |high|), of which either is at least u |e|. ∎
+is 2 d and both differences' u (X + |low|) and u (X + |high|), of which either is at least u |e|. A
+face that is a sum is off by u |f| besides, and δ/2 has 3/2 u (X + |a|) + u |b| for u (|e| + |f|).
+Beyond it, on the side that is further from zero, |e| + |f| is the coordinate, at most X. Only under
+a bridge that is thinner than the wire f is of the other sign: 0 < f < a, the wire's radius, which
+is at most |x| <= X there, since R_H >= 3/2 R. Then |e| + |f| <= X + a. ∎
 
 **Lemma (curvature).** While t + s is in a window, E'(t + s) >= E'(t) - M s - 2 V d; and |F''| <= C
 as long as each |e| is at most 5/4 R̂ and |v|² at most 3 V². M has at least 2^-41 C to spare.

@@ -15,15 +15,16 @@ of a window, as computed, it is further from the centre than h + w/2 - η, on th
 no window ends before t or begins after it. Exactly, it is at h + w there. Let P = |x_k - c_k| + h +
 w < 1.001 d.
 
-- *Places.* The difference, c, a mean of two inputs, and h + w are off by 5 u d in all. Corners that
-  are formulas have roundings of their own, which may be as large as w/2.
+- *Places.* The difference, c, a mean of two corners, and h + w are off by 5 u d in all if corners
+  are inputs; by 2 u d more if one is the sum of the other and the width. Corners that are other
+  formulas have roundings of their own, which may be as large as w/2.
 - *Without acceleration* a time has two roundings more, in which the ball flies 2 u P.
 - *Along gravity*, at the time (v ± s)/g, the ball is (v² - s²)/(2 g) above its start: s² = D that
   is off by δ moves it by δ/(2 g). D is off by 2 u v² + 6 u g P, and its root by u, as of 2 u D:
   together a displacement of u (2 v²/g + 5 P). The sum, 1/g and the product make the time off by 3 u
   of itself, in which the ball, with the speed s, flies 3 u s (|v| + s)/g <= u (6 v²/g + 9 P).
 
-These are less than 8 u v²/g + 20 u d < η. If D < 0 as computed at the bottom, the ball never comes
+These are less than 8 u v²/g + 22 u d < η. If D < 0 as computed at the bottom, the ball never comes
 above it by more than η; and if D <= 0 at the top, one window reaches over the apex, where the ball
 is above the top by less than η. Windows are cut off at zero and at the horizon, which are exact. ∎
 

@@ -29,7 +29,7 @@ from ..surfaces import (
 from ..surfaces.plane import Flat
 from ..surfaces.two_sided import Round
 from ..symbolic.conditionals import release
-from ..symbolic.rounding import rounding
+from ..symbolic.rounding import is_input
 from ..symbolic.symbols import ParameterSymbol
 from . import names
 from .ends import End, check_passed, check_reached, end_planes, outcomes
@@ -336,10 +336,18 @@ def proves_contacts(surface: Surface) -> bool:
         The surface.
     """
     if isinstance(surface, Box):
-        # In the lemmas a face is an input, without a rounding of its own.
-        known = all(rounding(side, {}).error == 0 for side in (*surface.low, *surface.high))
-        return known and not isinstance(surface, ObliqueBox) and not surface.bounds
+        plain = not isinstance(surface, ObliqueBox) and not surface.bounds
+        return plain and all(map(_known_sides, surface.low, surface.high))
     return isinstance(surface, Ring | Plane)
+
+
+def _known_sides(low: sp.Expr, high: sp.Expr) -> bool:
+    """Return whether two faces of a box are as the lemmas have them.
+
+    Both are inputs of the scene; or one is, and the width, whose sum is the other.
+    """
+    given = [is_input(low), is_input(high)]
+    return all(given) or (any(given) and is_input(sp.expand(release(high) - release(low))))
 
 
 def parameter(

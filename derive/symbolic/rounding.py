@@ -26,7 +26,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .conditionals import Barrier
+from .conditionals import Barrier, release
 from .symbols import UNIT_ROUNDOFF
 
 position_error, velocity_error = sp.symbols("position_error velocity_error", nonnegative=True)
@@ -50,6 +50,18 @@ class Rounded:
 def exact(expression: sp.Expr) -> Rounded:
     """Return the entry of a quantity that is an exact input."""
     return Rounded(sp.Abs(expression))
+
+
+def is_input(expression: sp.Expr) -> bool:
+    """Return whether an expression is an input or a number, of either sign: it has no rounding.
+
+    Parameters
+    ----------
+    expression
+        The expression, in which parts may be held.
+    """
+    plain = release(expression)
+    return bool(plain.is_Symbol or (-plain).is_Symbol or plain.is_Number)
 
 
 def rounding(expression: sp.Expr, known: Mapping[sp.Expr, Rounded]) -> Rounded:

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 563ebbcb4880eca2,
+   Generated from templates/c/kernels.h.j2, scene court, derivation cfaff01c017934ea,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -4435,65 +4435,64 @@ LANES(court_backboard_curvature)(V t, V x, V y, V z, V vx, V vy, V vz, V dx, V d
 }
 
 /* Tangent and curvatures at a contact, and bounds on the roundings there.
-   Table 2, running error analysis. 167 operations: 39 additions, 11 subtractions, 41 multiplications, 3 divisions, 1 square root, 3 negations, 20 absolute values, 23 comparisons, 2 conjunctions, 24 selections. */
+   Table 2, running error analysis. 165 operations: 37 additions, 11 subtractions, 41 multiplications, 3 divisions, 1 square root, 3 negations, 20 absolute values, 23 comparisons, 2 conjunctions, 24 selections. */
 typedef struct {
     S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
 } LANES(court_backboard_tangents_out);
 
 LANES_INLINE LANES(court_backboard_tangents_out)
-LANES(court_backboard_tangents)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz, S place_n, S normal_velocity, S back, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9, S _c10, S _c11, S _c12, S _c13, S _c14, S _c15, S _c16, S _c17)
+LANES(court_backboard_tangents)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz, S place_n, S normal_velocity, S back, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9, S _c10, S _c11, S _c12, S _c13, S _c14, S _c15)
 {
     const S _s0 = singles_sqrt(singles_add(singles_mul(nx, nx), singles_mul(ny, ny)));
     const Q _s1 = singles_less(KS(0.0), _s0);
     const S _s2 = singles_div(KS(1.0), _s0);
     const S _s3 = singles_sub(z, _c4);
     const S _s4 = singles_sub(_c3, z);
-    const S _s5 = singles_select(singles_both(singles_less(KS(0.0), singles_abs(singles_sub(singles_max(_s3, KS(0.0)), singles_max(_s4, KS(0.0))))), _s1), _c6, KS(0.0));
+    const S _s5 = singles_abs(singles_sub(singles_max(_s3, KS(0.0)), singles_max(_s4, KS(0.0))));
     const S _s6 = singles_add(_c1, x);
     const S _s7 = singles_neg(singles_add(_c7, x));
-    const S _s8 = singles_sub(y, _c2);
-    const S _s9 = singles_neg(singles_add(_c2, y));
-    const S _s10 = singles_select(singles_both(singles_less(KS(0.0), singles_abs(singles_sub(singles_max(_s6, KS(0.0)), singles_max(_s7, KS(0.0))))), singles_less(KS(0.0), singles_abs(singles_sub(singles_max(_s8, KS(0.0)), singles_max(_s9, KS(0.0)))))), singles_mul(_c6, _s2), KS(0.0));
-    const S _s11 = singles_abs(_s3);
-    const S _s12 = singles_abs(singles_sub(z, _c3));
-    const S _s13 = singles_abs(_s8);
-    const S _s14 = singles_abs(singles_sub(y, _c8));
-    const S _s15 = singles_abs(singles_sub(x, _c9));
-    const S _s16 = singles_abs(singles_sub(x, _c10));
-    const S _s17 = singles_min(_s15, _s16);
-    const S _s18 = singles_min(_s14, _s17);
-    const S _s19 = singles_min(_s13, _s18);
-    const S _s20 = singles_min(_s12, _s19);
-    const S _s21 = singles_sub(singles_min(_s11, _s20), _c11);
-    const S _s22 = singles_max(_c6, _s10);
-    const S _s23 = singles_div(KS(1.0), singles_mul(KS(100.0), _s21));
-    const S _s24 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_mul(t, singles_abs(normal_velocity))));
-    const S _s25 = singles_mul(t, t);
-    const S _s26 = singles_abs(vx);
-    const S _s27 = singles_abs(vy);
-    const S _s28 = singles_add(singles_mul(_c5, _s25), singles_mul(t, singles_add(singles_add(_s26, _s27), singles_abs(vz))));
-    const S _s29 = singles_mul(KS(2.0), t);
-    const S _s30 = singles_abs(x);
-    const S _s31 = singles_add(_c12, singles_mul(KS(3.3306690738754696e-16), _s30));
-    const S _s32 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s29, _s26), _s30))), singles_mul(KS(2.0), _s31));
-    const S _s33 = singles_abs(y);
-    const S _s34 = singles_add(_c13, singles_mul(KS(2.220446049250313e-16), _s33));
-    const S _s35 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s29, _s27), _s33))), singles_mul(KS(2.0), _s34));
-    const S _s36 = singles_abs(z);
-    const S _s37 = singles_add(singles_add(singles_mul(_c14, _s25), singles_mul(_s29, singles_abs(singles_add(vz, singles_mul(_c14, t))))), _s36);
-    const S _s38 = singles_add(_c15, singles_mul(KS(2.220446049250313e-16), _s36));
-    const S _s39 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s37)), singles_mul(KS(2.0), _s38));
-    const S _s40 = singles_add(singles_mul(singles_mul(_c6, _s28), singles_add(singles_add(_s32, _s35), _s39)), singles_mul(KS(1.3322676295501878e-15), _s28));
-    const S _s41 = singles_mul(KS(1.125), _s40);
-    const S _s42 = singles_mul(KS(1.7763568394002505e-15), singles_mul(_c0, singles_div(singles_mul(normal_velocity, normal_velocity), singles_add(singles_add(singles_mul(vx, vx), singles_mul(vy, vy)), singles_mul(vz, vz)))));
-    const S _s43 = singles_add(singles_add(_s24, _s40), singles_max(_s41, _s42));
-    const S _s44 = singles_add(_c16, singles_add(singles_add(singles_mul(singles_abs(nx), _s32), singles_mul(singles_abs(ny), _s35)), singles_mul(singles_abs(nz), _s39)));
-    const S _s45 = singles_mul(KS(1.125), _s44);
-    const S _s46 = singles_add(singles_add(_s24, _s44), singles_max(_s45, _s42));
-    const S _s47 = singles_add(place_n, _s46);
-    const Q _s48 = singles_less(KS(0.0), back);
-    const S _s49 = singles_add(place_n, _s43);
-    return (LANES(court_backboard_tangents_out)){ singles_select(_s1, singles_neg(singles_mul(ny, _s2)), KS(0.0)), singles_select(_s1, singles_mul(nx, _s2), KS(1.0)), _s5, _s10, singles_select(singles_less(KS(0.0), _s21), singles_max(_s22, _s23), KS(INFINITY)), singles_select(_s48, singles_max(_s43, _s47), _s46), singles_select(_s48, singles_max(_s49, _s46), _s46), singles_add(KS(8.881784197001252e-16), singles_mul(_c17, singles_add(singles_add(_s34, _s31), _s38))) };
+    const S _s8 = singles_abs(singles_sub(singles_max(_s6, KS(0.0)), singles_max(_s7, KS(0.0))));
+    const S _s9 = singles_sub(y, _c2);
+    const S _s10 = singles_neg(singles_add(_c2, y));
+    const S _s11 = singles_abs(singles_sub(singles_max(_s9, KS(0.0)), singles_max(_s10, KS(0.0))));
+    const S _s12 = singles_select(singles_both(singles_less(KS(0.0), _s8), singles_less(KS(0.0), _s11)), singles_mul(_c6, _s2), KS(0.0));
+    const S _s13 = singles_abs(_s3);
+    const S _s14 = singles_abs(singles_sub(z, _c3));
+    const S _s15 = singles_abs(_s9);
+    const S _s16 = singles_abs(singles_sub(y, _c8));
+    const S _s17 = singles_abs(singles_sub(x, _c9));
+    const S _s18 = singles_abs(singles_sub(x, _c10));
+    const S _s19 = singles_min(_s17, _s18);
+    const S _s20 = singles_min(_s16, _s19);
+    const S _s21 = singles_min(_s15, _s20);
+    const S _s22 = singles_min(_s14, _s21);
+    const S _s23 = singles_sub(singles_min(_s13, _s22), _c11);
+    const S _s24 = singles_max(_c6, _s12);
+    const S _s25 = singles_div(KS(1.0), singles_mul(KS(50.0), _s23));
+    const S _s26 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_mul(t, singles_abs(normal_velocity))));
+    const S _s27 = singles_mul(t, t);
+    const S _s28 = singles_abs(vx);
+    const S _s29 = singles_abs(vy);
+    const S _s30 = singles_add(singles_mul(_c5, _s27), singles_mul(t, singles_add(singles_add(_s28, _s29), singles_abs(vz))));
+    const S _s31 = singles_mul(KS(2.0), t);
+    const S _s32 = singles_add(_c12, singles_mul(KS(1.1102230246251565e-16), _s8));
+    const S _s33 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s31, _s28), singles_abs(x)))), singles_mul(KS(2.0), _s32));
+    const S _s34 = singles_mul(KS(1.1102230246251565e-16), _s11);
+    const S _s35 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s31, _s29), singles_abs(y)))), singles_mul(KS(2.0), _s34));
+    const S _s36 = singles_add(singles_add(singles_mul(_c13, _s27), singles_mul(_s31, singles_abs(singles_add(vz, singles_mul(_c13, t))))), singles_abs(z));
+    const S _s37 = singles_mul(KS(1.1102230246251565e-16), _s5);
+    const S _s38 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s36)), singles_mul(KS(2.0), _s37));
+    const S _s39 = singles_add(singles_mul(singles_mul(_c6, _s30), singles_add(singles_add(_s33, _s35), _s38)), singles_mul(KS(1.3322676295501878e-15), _s30));
+    const S _s40 = singles_mul(KS(1.125), _s39);
+    const S _s41 = singles_mul(KS(1.7763568394002505e-15), singles_mul(_c0, singles_div(singles_mul(normal_velocity, normal_velocity), singles_add(singles_add(singles_mul(vx, vx), singles_mul(vy, vy)), singles_mul(vz, vz)))));
+    const S _s42 = singles_add(singles_add(_s26, _s39), singles_max(_s40, _s41));
+    const S _s43 = singles_add(_c14, singles_add(singles_add(singles_mul(singles_abs(nx), _s33), singles_mul(singles_abs(ny), _s35)), singles_mul(singles_abs(nz), _s38)));
+    const S _s44 = singles_mul(KS(1.125), _s43);
+    const S _s45 = singles_add(singles_add(_s26, _s43), singles_max(_s44, _s41));
+    const S _s46 = singles_add(place_n, _s45);
+    const Q _s47 = singles_less(KS(0.0), back);
+    const S _s48 = singles_add(place_n, _s42);
+    return (LANES(court_backboard_tangents_out)){ singles_select(_s1, singles_neg(singles_mul(ny, _s2)), KS(0.0)), singles_select(_s1, singles_mul(nx, _s2), KS(1.0)), singles_select(singles_both(singles_less(KS(0.0), _s5), _s1), _c6, KS(0.0)), _s12, singles_select(singles_less(KS(0.0), _s23), singles_max(_s24, _s25), KS(INFINITY)), singles_select(_s47, singles_max(_s42, _s46), _s45), singles_select(_s47, singles_max(_s48, _s45), _s45), singles_add(KS(8.881784197001252e-16), singles_mul(_c15, singles_add(singles_add(_s32, _s34), _s37))) };
 }
 
 /* Error of the normal, from that of the position.
@@ -5096,65 +5095,64 @@ LANES(court_bridge_curvature)(V t, V x, V y, V z, V vx, V vy, V vz, V dx, V dy, 
 }
 
 /* Tangent and curvatures at a contact, and bounds on the roundings there.
-   Table 2, running error analysis. 167 operations: 39 additions, 11 subtractions, 41 multiplications, 3 divisions, 1 square root, 3 negations, 20 absolute values, 23 comparisons, 2 conjunctions, 24 selections. */
+   Table 2, running error analysis. 165 operations: 37 additions, 11 subtractions, 41 multiplications, 3 divisions, 1 square root, 3 negations, 20 absolute values, 23 comparisons, 2 conjunctions, 24 selections. */
 typedef struct {
     S tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
 } LANES(court_bridge_tangents_out);
 
 LANES_INLINE LANES(court_bridge_tangents_out)
-LANES(court_bridge_tangents)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz, S place_n, S normal_velocity, S back, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9, S _c10, S _c11, S _c12, S _c13, S _c14, S _c15, S _c16, S _c17)
+LANES(court_bridge_tangents)(S t, S x, S y, S z, S vx, S vy, S vz, S nx, S ny, S nz, S place_n, S normal_velocity, S back, S _c0, S _c1, S _c2, S _c3, S _c4, S _c5, S _c6, S _c7, S _c8, S _c9, S _c10, S _c11, S _c12, S _c13, S _c14, S _c15)
 {
     const S _s0 = singles_sqrt(singles_add(singles_mul(nx, nx), singles_mul(ny, ny)));
     const Q _s1 = singles_less(KS(0.0), _s0);
     const S _s2 = singles_div(KS(1.0), _s0);
     const S _s3 = singles_sub(z, _c2);
     const S _s4 = singles_sub(_c6, z);
-    const S _s5 = singles_select(singles_both(singles_less(KS(0.0), singles_abs(singles_sub(singles_max(_s3, KS(0.0)), singles_max(_s4, KS(0.0))))), _s1), _c7, KS(0.0));
+    const S _s5 = singles_abs(singles_sub(singles_max(_s3, KS(0.0)), singles_max(_s4, KS(0.0))));
     const S _s6 = singles_add(_c1, x);
     const S _s7 = singles_neg(singles_add(_c3, x));
-    const S _s8 = singles_sub(y, _c4);
-    const S _s9 = singles_neg(singles_add(_c4, y));
-    const S _s10 = singles_select(singles_both(singles_less(KS(0.0), singles_abs(singles_sub(singles_max(_s6, KS(0.0)), singles_max(_s7, KS(0.0))))), singles_less(KS(0.0), singles_abs(singles_sub(singles_max(_s8, KS(0.0)), singles_max(_s9, KS(0.0)))))), singles_mul(_c7, _s2), KS(0.0));
-    const S _s11 = singles_abs(_s3);
-    const S _s12 = singles_abs(singles_sub(z, _c6));
-    const S _s13 = singles_abs(_s8);
-    const S _s14 = singles_abs(singles_sub(y, _c8));
-    const S _s15 = singles_abs(singles_sub(x, _c9));
-    const S _s16 = singles_abs(singles_sub(x, _c10));
-    const S _s17 = singles_min(_s15, _s16);
-    const S _s18 = singles_min(_s14, _s17);
-    const S _s19 = singles_min(_s13, _s18);
-    const S _s20 = singles_min(_s12, _s19);
-    const S _s21 = singles_sub(singles_min(_s11, _s20), _c11);
-    const S _s22 = singles_max(_c7, _s10);
-    const S _s23 = singles_div(KS(1.0), singles_mul(KS(100.0), _s21));
-    const S _s24 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_mul(t, singles_abs(normal_velocity))));
-    const S _s25 = singles_mul(t, t);
-    const S _s26 = singles_abs(vx);
-    const S _s27 = singles_abs(vy);
-    const S _s28 = singles_add(singles_mul(_c5, _s25), singles_mul(t, singles_add(singles_add(_s26, _s27), singles_abs(vz))));
-    const S _s29 = singles_mul(KS(2.0), t);
-    const S _s30 = singles_abs(x);
-    const S _s31 = singles_add(_c12, singles_mul(KS(2.220446049250313e-16), _s30));
-    const S _s32 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s29, _s26), _s30))), singles_mul(KS(2.0), _s31));
-    const S _s33 = singles_abs(y);
-    const S _s34 = singles_add(_c13, singles_mul(KS(2.220446049250313e-16), _s33));
-    const S _s35 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s29, _s27), _s33))), singles_mul(KS(2.0), _s34));
-    const S _s36 = singles_abs(z);
-    const S _s37 = singles_add(singles_add(singles_mul(_c14, _s25), singles_mul(_s29, singles_abs(singles_add(vz, singles_mul(_c14, t))))), _s36);
-    const S _s38 = singles_add(_c15, singles_mul(KS(3.3306690738754696e-16), _s36));
-    const S _s39 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s37)), singles_mul(KS(2.0), _s38));
-    const S _s40 = singles_add(singles_mul(singles_mul(_c7, _s28), singles_add(singles_add(_s32, _s35), _s39)), singles_mul(KS(1.3322676295501878e-15), _s28));
-    const S _s41 = singles_mul(KS(1.125), _s40);
-    const S _s42 = singles_mul(KS(1.7763568394002505e-15), singles_mul(_c0, singles_div(singles_mul(normal_velocity, normal_velocity), singles_add(singles_add(singles_mul(vx, vx), singles_mul(vy, vy)), singles_mul(vz, vz)))));
-    const S _s43 = singles_add(singles_add(_s24, _s40), singles_max(_s41, _s42));
-    const S _s44 = singles_add(_c16, singles_add(singles_add(singles_mul(singles_abs(nx), _s32), singles_mul(singles_abs(ny), _s35)), singles_mul(singles_abs(nz), _s39)));
-    const S _s45 = singles_mul(KS(1.125), _s44);
-    const S _s46 = singles_add(singles_add(_s24, _s44), singles_max(_s45, _s42));
-    const S _s47 = singles_add(place_n, _s46);
-    const Q _s48 = singles_less(KS(0.0), back);
-    const S _s49 = singles_add(place_n, _s43);
-    return (LANES(court_bridge_tangents_out)){ singles_select(_s1, singles_neg(singles_mul(ny, _s2)), KS(0.0)), singles_select(_s1, singles_mul(nx, _s2), KS(1.0)), _s5, _s10, singles_select(singles_less(KS(0.0), _s21), singles_max(_s22, _s23), KS(INFINITY)), singles_select(_s48, singles_max(_s43, _s47), _s46), singles_select(_s48, singles_max(_s49, _s46), _s46), singles_add(KS(8.881784197001252e-16), singles_mul(_c17, singles_add(singles_add(_s34, _s31), _s38))) };
+    const S _s8 = singles_abs(singles_sub(singles_max(_s6, KS(0.0)), singles_max(_s7, KS(0.0))));
+    const S _s9 = singles_sub(y, _c4);
+    const S _s10 = singles_neg(singles_add(_c4, y));
+    const S _s11 = singles_abs(singles_sub(singles_max(_s9, KS(0.0)), singles_max(_s10, KS(0.0))));
+    const S _s12 = singles_select(singles_both(singles_less(KS(0.0), _s8), singles_less(KS(0.0), _s11)), singles_mul(_c7, _s2), KS(0.0));
+    const S _s13 = singles_abs(_s3);
+    const S _s14 = singles_abs(singles_sub(z, _c6));
+    const S _s15 = singles_abs(_s9);
+    const S _s16 = singles_abs(singles_sub(y, _c8));
+    const S _s17 = singles_abs(singles_sub(x, _c9));
+    const S _s18 = singles_abs(singles_sub(x, _c10));
+    const S _s19 = singles_min(_s17, _s18);
+    const S _s20 = singles_min(_s16, _s19);
+    const S _s21 = singles_min(_s15, _s20);
+    const S _s22 = singles_min(_s14, _s21);
+    const S _s23 = singles_sub(singles_min(_s13, _s22), _c11);
+    const S _s24 = singles_max(_c7, _s12);
+    const S _s25 = singles_div(KS(1.0), singles_mul(KS(50.0), _s23));
+    const S _s26 = singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_mul(t, singles_abs(normal_velocity))));
+    const S _s27 = singles_mul(t, t);
+    const S _s28 = singles_abs(vx);
+    const S _s29 = singles_abs(vy);
+    const S _s30 = singles_add(singles_mul(_c5, _s27), singles_mul(t, singles_add(singles_add(_s28, _s29), singles_abs(vz))));
+    const S _s31 = singles_mul(KS(2.0), t);
+    const S _s32 = singles_mul(KS(1.1102230246251565e-16), _s8);
+    const S _s33 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s31, _s28), singles_abs(x)))), singles_mul(KS(2.0), _s32));
+    const S _s34 = singles_mul(KS(1.1102230246251565e-16), _s11);
+    const S _s35 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), singles_add(singles_mul(_s31, _s29), singles_abs(y)))), singles_mul(KS(2.0), _s34));
+    const S _s36 = singles_add(singles_add(singles_mul(_c12, _s27), singles_mul(_s31, singles_abs(singles_add(vz, singles_mul(_c12, t))))), singles_abs(z));
+    const S _s37 = singles_add(_c13, singles_mul(KS(1.1102230246251565e-16), _s5));
+    const S _s38 = singles_add(singles_add(KS(7.888609052210118e-31), singles_mul(KS(1.1102230246251565e-16), _s36)), singles_mul(KS(2.0), _s37));
+    const S _s39 = singles_add(singles_mul(singles_mul(_c7, _s30), singles_add(singles_add(_s33, _s35), _s38)), singles_mul(KS(1.3322676295501878e-15), _s30));
+    const S _s40 = singles_mul(KS(1.125), _s39);
+    const S _s41 = singles_mul(KS(1.7763568394002505e-15), singles_mul(_c0, singles_div(singles_mul(normal_velocity, normal_velocity), singles_add(singles_add(singles_mul(vx, vx), singles_mul(vy, vy)), singles_mul(vz, vz)))));
+    const S _s42 = singles_add(singles_add(_s26, _s39), singles_max(_s40, _s41));
+    const S _s43 = singles_add(_c14, singles_add(singles_add(singles_mul(singles_abs(nx), _s33), singles_mul(singles_abs(ny), _s35)), singles_mul(singles_abs(nz), _s38)));
+    const S _s44 = singles_mul(KS(1.125), _s43);
+    const S _s45 = singles_add(singles_add(_s26, _s43), singles_max(_s44, _s41));
+    const S _s46 = singles_add(place_n, _s45);
+    const Q _s47 = singles_less(KS(0.0), back);
+    const S _s48 = singles_add(place_n, _s42);
+    return (LANES(court_bridge_tangents_out)){ singles_select(_s1, singles_neg(singles_mul(ny, _s2)), KS(0.0)), singles_select(_s1, singles_mul(nx, _s2), KS(1.0)), singles_select(singles_both(singles_less(KS(0.0), _s5), _s1), _c7, KS(0.0)), _s12, singles_select(singles_less(KS(0.0), _s23), singles_max(_s24, _s25), KS(INFINITY)), singles_select(_s47, singles_max(_s42, _s46), _s45), singles_select(_s47, singles_max(_s48, _s45), _s45), singles_add(KS(8.881784197001252e-16), singles_mul(_c15, singles_add(singles_add(_s37, _s32), _s34))) };
 }
 
 /* Error of the normal, from that of the position.

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation 563ebbcb4880eca2,
+   Generated from templates/c/loop.h.j2, scene court, derivation cfaff01c017934ea,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -974,13 +974,12 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         const S _s69 = singles_mul(KS(2.0), singles_mul(_p_ring_radius, _s58));
         const S _s82 = singles_div(KS(1.0), _p_ball_radius);
         const S _s83 = singles_add(_p_board_distance, _p_board_thickness);
-        const S _s91 = singles_abs(_p_board_bottom);
-        const S _s93 = singles_abs(_p_board_top);
-        const S _s95 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_add(singles_add(singles_mul(KS(2.0), _p_board_distance), singles_mul(KS(2.0), _p_board_half_width)), _p_board_thickness), _s91), _s93));
-        const S _s135 = singles_div(singles_mul(_p_inertia, singles_add(KS(1.0), _p_tangential_restitution)), singles_add(KS(1.0), _p_inertia));
-        const S _s146 = singles_mul(KS(1.00048828125), _s11);
-        const S _s149 = singles_mul(KS(0.00048828125), _s11);
-        const S _s155 = singles_sub(_s13, _s149);
+        const S _s95 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_add(singles_add(singles_mul(KS(2.0), _p_board_distance), singles_mul(KS(2.0), _p_board_half_width)), _p_board_thickness), singles_abs(_p_board_bottom)), singles_abs(_p_board_top)));
+        const S _s114 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_add(singles_add(_p_ring_radius, singles_mul(KS(2.0), _p_wire_radius)), _p_board_distance), singles_mul(KS(2.0), _p_bridge_half_width)), _p_bridge_depth));
+        const S _s124 = singles_div(singles_mul(_p_inertia, singles_add(KS(1.0), _p_tangential_restitution)), singles_add(KS(1.0), _p_inertia));
+        const S _s135 = singles_mul(KS(1.00048828125), _s11);
+        const S _s138 = singles_mul(KS(0.00048828125), _s11);
+        const S _s144 = singles_sub(_s13, _s138);
         FIX_SINGLE(0, _p_gravity); FIX_SINGLE(1, _s7);
         FIX_SINGLE(2, singles_mul(KS(2.0), _p_gravity));
         FIX_SINGLE(3, singles_div(KS(1.0), _p_gravity)); FIX_SINGLE(4, _s11);
@@ -1010,30 +1009,25 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         FIX_SINGLE(40, singles_neg(_p_board_half_width));
         FIX_SINGLE(41, singles_neg(_p_board_distance)); FIX_SINGLE(42, singles_neg(_s83));
         FIX_SINGLE(43, _s95);
-        FIX_SINGLE(44, singles_add(singles_mul(KS(3.3306690738754696e-16), _p_board_distance), singles_mul(KS(2.220446049250313e-16), _p_board_thickness)));
-        FIX_SINGLE(45, singles_mul(KS(3.3306690738754696e-16), _p_board_half_width));
-        FIX_SINGLE(46, singles_add(singles_mul(KS(2.220446049250313e-16), _s91), singles_mul(KS(2.220446049250313e-16), _s93)));
-        FIX_SINGLE(47, singles_mul(KS(8.881784197001252e-16), _p_ball_radius));
-        FIX_SINGLE(48, singles_mul(KS(2.0), _s82)); FIX_SINGLE(49, _p_wire_radius);
-        FIX_SINGLE(50, _p_bridge_half_width);
-        FIX_SINGLE(51, singles_sub(_p_wire_radius, _p_bridge_depth));
-        FIX_SINGLE(52, singles_neg(_p_bridge_half_width));
-        FIX_SINGLE(53, singles_neg(_p_ring_radius));
-        FIX_SINGLE(54, singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_add(singles_add(_p_ring_radius, _p_wire_radius), _p_board_distance), singles_mul(KS(2.0), _p_bridge_half_width)), singles_abs(singles_sub(_p_bridge_depth, _p_wire_radius)))));
-        FIX_SINGLE(55, singles_add(singles_mul(KS(1.1102230246251565e-16), _p_ring_radius), singles_mul(KS(1.1102230246251565e-16), _p_board_distance)));
-        FIX_SINGLE(56, singles_mul(KS(3.3306690738754696e-16), _p_bridge_half_width));
-        FIX_SINGLE(57, singles_add(singles_mul(KS(5.551115123125783e-16), _p_wire_radius), singles_mul(KS(2.220446049250313e-16), _p_bridge_depth)));
-        FIX_SINGLE(58, _p_restitution_speed); FIX_SINGLE(59, _s135);
-        FIX_SINGLE(60, singles_abs(KS(0.0)));
-        FIX_SINGLE(61, singles_div(KS(1.0), _p_restitution_speed));
-        FIX_SINGLE(62, singles_mul(KS(32.0), _s135)); FIX_SINGLE(63, singles_neg(_p_ball_radius));
-        FIX_SINGLE(64, singles_div(KS(1.0), singles_mul(_p_ball_radius, _p_inertia)));
-        FIX_SINGLE(65, singles_add(KS(1.0), singles_div(KS(1.0), _p_inertia)));
-        FIX_SINGLE(66, singles_mul(_s146, _s146)); FIX_SINGLE(67, singles_add(_s7, _s149));
-        FIX_SINGLE(68, singles_sub(singles_sub(_p_ring_radius, singles_mul(KS(1.4143014047294855), _s6)), _s149));
-        FIX_SINGLE(69, _s155); FIX_SINGLE(70, singles_mul(_s155, _s155));
-        FIX_SINGLE(71, singles_mul(KS(128.0), _s11));
-        FIX_SINGLE(72, singles_mul(KS(1.52587890625e-05), _s11));
+        FIX_SINGLE(44, singles_add(singles_mul(KS(2.220446049250313e-16), _p_board_distance), singles_mul(KS(2.220446049250313e-16), _p_board_thickness)));
+        FIX_SINGLE(45, singles_mul(KS(8.881784197001252e-16), _p_ball_radius));
+        FIX_SINGLE(46, singles_mul(KS(2.0), _s82)); FIX_SINGLE(47, _p_wire_radius);
+        FIX_SINGLE(48, _p_bridge_half_width);
+        FIX_SINGLE(49, singles_sub(_p_wire_radius, _p_bridge_depth));
+        FIX_SINGLE(50, singles_neg(_p_bridge_half_width));
+        FIX_SINGLE(51, singles_neg(_p_ring_radius)); FIX_SINGLE(52, _s114);
+        FIX_SINGLE(53, singles_add(singles_mul(KS(1.1102230246251565e-16), _p_wire_radius), singles_mul(KS(2.220446049250313e-16), _p_bridge_depth)));
+        FIX_SINGLE(54, _p_restitution_speed); FIX_SINGLE(55, _s124);
+        FIX_SINGLE(56, singles_abs(KS(0.0)));
+        FIX_SINGLE(57, singles_div(KS(1.0), _p_restitution_speed));
+        FIX_SINGLE(58, singles_mul(KS(32.0), _s124)); FIX_SINGLE(59, singles_neg(_p_ball_radius));
+        FIX_SINGLE(60, singles_div(KS(1.0), singles_mul(_p_ball_radius, _p_inertia)));
+        FIX_SINGLE(61, singles_add(KS(1.0), singles_div(KS(1.0), _p_inertia)));
+        FIX_SINGLE(62, singles_mul(_s135, _s135)); FIX_SINGLE(63, singles_add(_s7, _s138));
+        FIX_SINGLE(64, singles_sub(singles_sub(_p_ring_radius, singles_mul(KS(1.4143014047294855), _s6)), _s138));
+        FIX_SINGLE(65, _s144); FIX_SINGLE(66, singles_mul(_s144, _s144));
+        FIX_SINGLE(67, singles_mul(KS(128.0), _s11));
+        FIX_SINGLE(68, singles_mul(KS(1.52587890625e-05), _s11));
     }
 }
 
@@ -3090,10 +3084,9 @@ LANES_APART void LOOP(fix_rows_7)(LOOP(worklist) *worklist, size_t i)
         const S _s69 = singles_mul(KS(2.0), singles_mul(_p_ring_radius, _s58));
         const S _s82 = singles_div(KS(1.0), _p_ball_radius);
         const S _s83 = singles_add(_p_board_distance, _p_board_thickness);
-        const S _s91 = singles_abs(_p_board_bottom);
-        const S _s93 = singles_abs(_p_board_top);
-        const S _s95 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_add(singles_add(singles_mul(KS(2.0), _p_board_distance), singles_mul(KS(2.0), _p_board_half_width)), _p_board_thickness), _s91), _s93));
-        const S _s135 = singles_div(singles_mul(_p_inertia, singles_add(KS(1.0), _p_tangential_restitution)), singles_add(KS(1.0), _p_inertia));
+        const S _s95 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_add(singles_add(singles_mul(KS(2.0), _p_board_distance), singles_mul(KS(2.0), _p_board_half_width)), _p_board_thickness), singles_abs(_p_board_bottom)), singles_abs(_p_board_top)));
+        const S _s114 = singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_add(singles_add(_p_ring_radius, singles_mul(KS(2.0), _p_wire_radius)), _p_board_distance), singles_mul(KS(2.0), _p_bridge_half_width)), _p_bridge_depth));
+        const S _s124 = singles_div(singles_mul(_p_inertia, singles_add(KS(1.0), _p_tangential_restitution)), singles_add(KS(1.0), _p_inertia));
         FIX_SINGLE(0, _p_gravity); FIX_SINGLE(10, _s6); FIX_SINGLE(19, _p_ring_radius);
         FIX_SINGLE(20, singles_mul(KS(0.5), _p_gravity)); FIX_SINGLE(26, _s58);
         FIX_SINGLE(27, _s61); FIX_SINGLE(28, singles_div(KS(1.0), _s61));
@@ -3107,25 +3100,20 @@ LANES_APART void LOOP(fix_rows_7)(LOOP(worklist) *worklist, size_t i)
         FIX_SINGLE(40, singles_neg(_p_board_half_width));
         FIX_SINGLE(41, singles_neg(_p_board_distance)); FIX_SINGLE(42, singles_neg(_s83));
         FIX_SINGLE(43, _s95);
-        FIX_SINGLE(44, singles_add(singles_mul(KS(3.3306690738754696e-16), _p_board_distance), singles_mul(KS(2.220446049250313e-16), _p_board_thickness)));
-        FIX_SINGLE(45, singles_mul(KS(3.3306690738754696e-16), _p_board_half_width));
-        FIX_SINGLE(46, singles_add(singles_mul(KS(2.220446049250313e-16), _s91), singles_mul(KS(2.220446049250313e-16), _s93)));
-        FIX_SINGLE(47, singles_mul(KS(8.881784197001252e-16), _p_ball_radius));
-        FIX_SINGLE(48, singles_mul(KS(2.0), _s82)); FIX_SINGLE(49, _p_wire_radius);
-        FIX_SINGLE(50, _p_bridge_half_width);
-        FIX_SINGLE(51, singles_sub(_p_wire_radius, _p_bridge_depth));
-        FIX_SINGLE(52, singles_neg(_p_bridge_half_width));
-        FIX_SINGLE(53, singles_neg(_p_ring_radius));
-        FIX_SINGLE(54, singles_mul(KS(9.5367431640625e-07), singles_add(singles_add(singles_add(singles_add(_p_ring_radius, _p_wire_radius), _p_board_distance), singles_mul(KS(2.0), _p_bridge_half_width)), singles_abs(singles_sub(_p_bridge_depth, _p_wire_radius)))));
-        FIX_SINGLE(55, singles_add(singles_mul(KS(1.1102230246251565e-16), _p_ring_radius), singles_mul(KS(1.1102230246251565e-16), _p_board_distance)));
-        FIX_SINGLE(56, singles_mul(KS(3.3306690738754696e-16), _p_bridge_half_width));
-        FIX_SINGLE(57, singles_add(singles_mul(KS(5.551115123125783e-16), _p_wire_radius), singles_mul(KS(2.220446049250313e-16), _p_bridge_depth)));
-        FIX_SINGLE(58, _p_restitution_speed); FIX_SINGLE(59, _s135);
-        FIX_SINGLE(60, singles_abs(KS(0.0)));
-        FIX_SINGLE(61, singles_div(KS(1.0), _p_restitution_speed));
-        FIX_SINGLE(62, singles_mul(KS(32.0), _s135)); FIX_SINGLE(63, singles_neg(_p_ball_radius));
-        FIX_SINGLE(64, singles_div(KS(1.0), singles_mul(_p_ball_radius, _p_inertia)));
-        FIX_SINGLE(65, singles_add(KS(1.0), singles_div(KS(1.0), _p_inertia)));
+        FIX_SINGLE(44, singles_add(singles_mul(KS(2.220446049250313e-16), _p_board_distance), singles_mul(KS(2.220446049250313e-16), _p_board_thickness)));
+        FIX_SINGLE(45, singles_mul(KS(8.881784197001252e-16), _p_ball_radius));
+        FIX_SINGLE(46, singles_mul(KS(2.0), _s82)); FIX_SINGLE(47, _p_wire_radius);
+        FIX_SINGLE(48, _p_bridge_half_width);
+        FIX_SINGLE(49, singles_sub(_p_wire_radius, _p_bridge_depth));
+        FIX_SINGLE(50, singles_neg(_p_bridge_half_width));
+        FIX_SINGLE(51, singles_neg(_p_ring_radius)); FIX_SINGLE(52, _s114);
+        FIX_SINGLE(53, singles_add(singles_mul(KS(1.1102230246251565e-16), _p_wire_radius), singles_mul(KS(2.220446049250313e-16), _p_bridge_depth)));
+        FIX_SINGLE(54, _p_restitution_speed); FIX_SINGLE(55, _s124);
+        FIX_SINGLE(56, singles_abs(KS(0.0)));
+        FIX_SINGLE(57, singles_div(KS(1.0), _p_restitution_speed));
+        FIX_SINGLE(58, singles_mul(KS(32.0), _s124)); FIX_SINGLE(59, singles_neg(_p_ball_radius));
+        FIX_SINGLE(60, singles_div(KS(1.0), singles_mul(_p_ball_radius, _p_inertia)));
+        FIX_SINGLE(61, singles_add(KS(1.0), singles_div(KS(1.0), _p_inertia)));
 #endif
     }
 }
@@ -3525,9 +3513,9 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         CALL(court_missed, _missed_1)();
         EACH(GET, _missed_1, clear)
 #if BOUNDED
-        CALL(court_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(position_error), lanes_narrow(velocity_error), FIXED_SINGLE(0), FIXED_SINGLE(66), FIXED_SINGLE(3), FIXED_SINGLE(67), FIXED_SINGLE(20), FIXED_SINGLE(68), FIXED_SINGLE(69), FIXED_SINGLE(70), FIXED_SINGLE(71), FIXED_SINGLE(72));
+        CALL(court_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), lanes_narrow(position_error), lanes_narrow(velocity_error), FIXED_SINGLE(0), FIXED_SINGLE(62), FIXED_SINGLE(3), FIXED_SINGLE(63), FIXED_SINGLE(20), FIXED_SINGLE(64), FIXED_SINGLE(65), FIXED_SINGLE(66), FIXED_SINGLE(67), FIXED_SINGLE(68));
 #else
-        CALL(court_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), KS(0.0), KS(0.0), FIXED_SINGLE(0), FIXED_SINGLE(66), FIXED_SINGLE(3), FIXED_SINGLE(67), FIXED_SINGLE(20), FIXED_SINGLE(68), FIXED_SINGLE(69), FIXED_SINGLE(70), FIXED_SINGLE(71), FIXED_SINGLE(72));
+        CALL(court_ring_drops_through, _ring_drops_through_1)(lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(until), lanes_narrow(extent), lanes_narrow(speed), KS(0.0), KS(0.0), FIXED_SINGLE(0), FIXED_SINGLE(62), FIXED_SINGLE(3), FIXED_SINGLE(63), FIXED_SINGLE(20), FIXED_SINGLE(64), FIXED_SINGLE(65), FIXED_SINGLE(66), FIXED_SINGLE(67), FIXED_SINGLE(68));
 #endif
         EACH(GET_MASK, _ring_drops_through_1, unproved)
         const M _if_unproved_1 = unproved;
@@ -5535,7 +5523,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SET, _here_6, here)
                 const M _if_here_6 = lanes_both(_if_meeting_1, here);
                 if (lanes_any(_if_here_6)) {
-                    CALL(court_backboard_tangents, _backboard_tangents_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), place_n, lanes_narrow(normal_velocity), lanes_narrow(back), FIXED_SINGLE(33), FIXED_SINGLE(34), FIXED_SINGLE(35), FIXED_SINGLE(36), FIXED_SINGLE(37), FIXED_SINGLE(0), FIXED_SINGLE(38), FIXED_SINGLE(39), FIXED_SINGLE(40), FIXED_SINGLE(41), FIXED_SINGLE(42), FIXED_SINGLE(43), FIXED_SINGLE(44), FIXED_SINGLE(45), FIXED_SINGLE(20), FIXED_SINGLE(46), FIXED_SINGLE(47), FIXED_SINGLE(48));
+                    CALL(court_backboard_tangents, _backboard_tangents_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), place_n, lanes_narrow(normal_velocity), lanes_narrow(back), FIXED_SINGLE(33), FIXED_SINGLE(34), FIXED_SINGLE(35), FIXED_SINGLE(36), FIXED_SINGLE(37), FIXED_SINGLE(0), FIXED_SINGLE(38), FIXED_SINGLE(39), FIXED_SINGLE(40), FIXED_SINGLE(41), FIXED_SINGLE(42), FIXED_SINGLE(43), FIXED_SINGLE(44), FIXED_SINGLE(20), FIXED_SINGLE(45), FIXED_SINGLE(46));
                     EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), tangent_x, tangent_y)
                     EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), bend_s, bend_e)
                     EACH(SELECT_SINGLE, (_if_here_6, _backboard_tangents_1), sharpest_bend)
@@ -5547,7 +5535,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SET, _here_7, here)
                 const M _if_here_7 = lanes_both(_if_meeting_1, here);
                 if (lanes_any(_if_here_7)) {
-                    CALL(court_bridge_tangents, _bridge_tangents_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), place_n, lanes_narrow(normal_velocity), lanes_narrow(back), FIXED_SINGLE(33), FIXED_SINGLE(19), FIXED_SINGLE(49), FIXED_SINGLE(34), FIXED_SINGLE(50), FIXED_SINGLE(0), FIXED_SINGLE(51), FIXED_SINGLE(38), FIXED_SINGLE(52), FIXED_SINGLE(53), FIXED_SINGLE(41), FIXED_SINGLE(54), FIXED_SINGLE(55), FIXED_SINGLE(56), FIXED_SINGLE(20), FIXED_SINGLE(57), FIXED_SINGLE(47), FIXED_SINGLE(48));
+                    CALL(court_bridge_tangents, _bridge_tangents_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), place_n, lanes_narrow(normal_velocity), lanes_narrow(back), FIXED_SINGLE(33), FIXED_SINGLE(19), FIXED_SINGLE(47), FIXED_SINGLE(34), FIXED_SINGLE(48), FIXED_SINGLE(0), FIXED_SINGLE(49), FIXED_SINGLE(38), FIXED_SINGLE(50), FIXED_SINGLE(51), FIXED_SINGLE(41), FIXED_SINGLE(52), FIXED_SINGLE(20), FIXED_SINGLE(53), FIXED_SINGLE(45), FIXED_SINGLE(46));
                     EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), tangent_x, tangent_y)
                     EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), bend_s, bend_e)
                     EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), sharpest_bend)
@@ -5640,7 +5628,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                         CALL(court_ring_impact_slip, _ring_impact_slip_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167), FIXED(168));
                         EACH(GET, _ring_impact_slip_1, slip_share, slip_margin, slip_speed, slip_x)
                         EACH(GET, _ring_impact_slip_1, slip_y, slip_z)
-                        CALL(court_bound_ring_impact, _bound_ring_impact_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(wx), lanes_narrow(wy), lanes_narrow(wz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(clock), frame_nx, frame_ny, frame_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, lanes_narrow(normal_velocity), lanes_narrow(back), lanes_narrow(slip_share), lanes_narrow(slip_margin), lanes_narrow(slip_speed), lanes_narrow(slip_x), lanes_narrow(slip_y), lanes_narrow(slip_z), lanes_narrow(its_0_ring_impact), lanes_narrow(its_1_ring_impact), FIXED_SINGLE(33), FIXED_SINGLE(0), FIXED_SINGLE(58), FIXED_SINGLE(20), FIXED_SINGLE(59), FIXED_SINGLE(60), FIXED_SINGLE(61), FIXED_SINGLE(62), FIXED_SINGLE(63), FIXED_SINGLE(38), FIXED_SINGLE(64), FIXED_SINGLE(65));
+                        CALL(court_bound_ring_impact, _bound_ring_impact_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(wx), lanes_narrow(wy), lanes_narrow(wz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(clock), frame_nx, frame_ny, frame_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, lanes_narrow(normal_velocity), lanes_narrow(back), lanes_narrow(slip_share), lanes_narrow(slip_margin), lanes_narrow(slip_speed), lanes_narrow(slip_x), lanes_narrow(slip_y), lanes_narrow(slip_z), lanes_narrow(its_0_ring_impact), lanes_narrow(its_1_ring_impact), FIXED_SINGLE(33), FIXED_SINGLE(0), FIXED_SINGLE(54), FIXED_SINGLE(20), FIXED_SINGLE(55), FIXED_SINGLE(56), FIXED_SINGLE(57), FIXED_SINGLE(58), FIXED_SINGLE(59), FIXED_SINGLE(38), FIXED_SINGLE(60), FIXED_SINGLE(61));
                         EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), place_n, place_s)
                         EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), place_e, pace_n)
                         EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), pace_s, pace_e)

@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation 563ebbcb4880eca2,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation cfaff01c017934ea,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -4480,7 +4480,7 @@ static __device__ __forceinline__ kernel_backboard_curvature_out kernel_backboar
 }
 
 /* Tangent and curvatures at a contact, and bounds on the roundings there.
-   Table 2, running error analysis. 191 operations: 46 additions, 11 subtractions, 52 multiplications, 4 divisions, 1 square root, 6 negations, 22 absolute values, 23 comparisons, 2 conjunctions, 24 selections. */
+   Table 2, running error analysis. 185 operations: 43 additions, 11 subtractions, 49 multiplications, 4 divisions, 1 square root, 6 negations, 22 absolute values, 23 comparisons, 2 conjunctions, 24 selections. */
 struct kernel_backboard_tangents_out {
     float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
 };
@@ -4492,58 +4492,55 @@ static __device__ __forceinline__ kernel_backboard_tangents_out kernel_backboard
     const float _s2 = ((float)1.0) / _s0;
     const float _s3 = z - p_board_top;
     const float _s4 = p_board_bottom - z;
-    const float _s5 = ((float)1.0) / p_ball_radius;
-    const float _s6 = choose(((((float)0.0) < fabsf((larger(_s3, ((float)0.0)) - larger(_s4, ((float)0.0))))) && _s1), _s5, ((float)0.0));
+    const float _s5 = fabsf((larger(_s3, ((float)0.0)) - larger(_s4, ((float)0.0))));
+    const float _s6 = ((float)1.0) / p_ball_radius;
     const float _s7 = p_board_distance + x;
     const float _s8 = p_board_distance + p_board_thickness;
     const float _s9 = -(_s8 + x);
-    const float _s10 = y - p_board_half_width;
-    const float _s11 = -(p_board_half_width + y);
-    const float _s12 = choose(((((float)0.0) < fabsf((larger(_s7, ((float)0.0)) - larger(_s9, ((float)0.0))))) && (((float)0.0) < fabsf((larger(_s10, ((float)0.0)) - larger(_s11, ((float)0.0)))))), (_s5 * _s2), ((float)0.0));
-    const float _s13 = fabsf(_s3);
-    const float _s14 = fabsf((z - p_board_bottom));
-    const float _s15 = fabsf(_s10);
-    const float _s16 = fabsf((y - (-p_board_half_width)));
-    const float _s17 = fabsf((x - (-p_board_distance)));
-    const float _s18 = fabsf((x - (-_s8)));
-    const float _s19 = smaller(_s17, _s18);
-    const float _s20 = smaller(_s16, _s19);
-    const float _s21 = smaller(_s15, _s20);
-    const float _s22 = smaller(_s14, _s21);
-    const float _s23 = fabsf(p_board_bottom);
-    const float _s24 = fabsf(p_board_top);
-    const float _s25 = ((float)9.5367431640625e-07) * (((((((float)2.0) * p_board_distance) + (((float)2.0) * p_board_half_width)) + p_board_thickness) + _s23) + _s24);
-    const float _s26 = smaller(_s13, _s22) - _s25;
-    const float _s27 = larger(_s5, _s12);
-    const float _s28 = ((float)1.0) / (((float)100.0) * _s26);
+    const float _s10 = fabsf((larger(_s7, ((float)0.0)) - larger(_s9, ((float)0.0))));
+    const float _s11 = y - p_board_half_width;
+    const float _s12 = -(p_board_half_width + y);
+    const float _s13 = fabsf((larger(_s11, ((float)0.0)) - larger(_s12, ((float)0.0))));
+    const float _s14 = choose(((((float)0.0) < _s10) && (((float)0.0) < _s13)), (_s6 * _s2), ((float)0.0));
+    const float _s15 = fabsf(_s3);
+    const float _s16 = fabsf((z - p_board_bottom));
+    const float _s17 = fabsf(_s11);
+    const float _s18 = fabsf((y - (-p_board_half_width)));
+    const float _s19 = fabsf((x - (-p_board_distance)));
+    const float _s20 = fabsf((x - (-_s8)));
+    const float _s21 = smaller(_s19, _s20);
+    const float _s22 = smaller(_s18, _s21);
+    const float _s23 = smaller(_s17, _s22);
+    const float _s24 = smaller(_s16, _s23);
+    const float _s25 = ((float)9.5367431640625e-07) * (((((((float)2.0) * p_board_distance) + (((float)2.0) * p_board_half_width)) + p_board_thickness) + fabsf(p_board_bottom)) + fabsf(p_board_top));
+    const float _s26 = smaller(_s15, _s24) - _s25;
+    const float _s27 = larger(_s6, _s14);
+    const float _s28 = ((float)1.0) / (((float)50.0) * _s26);
     const float _s29 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (t * fabsf(normal_velocity)));
     const float _s30 = t * t;
     const float _s31 = fabsf(vx);
     const float _s32 = fabsf(vy);
     const float _s33 = (p_gravity * _s30) + (t * ((_s31 + _s32) + fabsf(vz)));
     const float _s34 = ((float)2.0) * t;
-    const float _s35 = fabsf(x);
-    const float _s36 = ((((float)3.3306690738754696e-16) * p_board_distance) + (((float)2.220446049250313e-16) * p_board_thickness)) + (((float)3.3306690738754696e-16) * _s35);
-    const float _s37 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s34 * _s31) + _s35))) + (((float)2.0) * _s36);
-    const float _s38 = fabsf(y);
-    const float _s39 = (((float)3.3306690738754696e-16) * p_board_half_width) + (((float)2.220446049250313e-16) * _s38);
-    const float _s40 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s34 * _s32) + _s38))) + (((float)2.0) * _s39);
-    const float _s41 = ((float)0.5) * p_gravity;
-    const float _s42 = fabsf(z);
-    const float _s43 = ((_s41 * _s30) + (_s34 * fabsf((vz + (_s41 * t))))) + _s42;
-    const float _s44 = ((((float)2.220446049250313e-16) * _s23) + (((float)2.220446049250313e-16) * _s24)) + (((float)2.220446049250313e-16) * _s42);
-    const float _s45 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s43)) + (((float)2.0) * _s44);
-    const float _s46 = ((_s5 * _s33) * ((_s37 + _s40) + _s45)) + (((float)1.3322676295501878e-15) * _s33);
-    const float _s47 = ((float)1.125) * _s46;
-    const float _s48 = ((float)1.7763568394002505e-15) * (p_ball_radius * ((normal_velocity * normal_velocity) / (((vx * vx) + (vy * vy)) + (vz * vz))));
-    const float _s49 = (_s29 + _s46) + larger(_s47, _s48);
-    const float _s50 = (((float)8.881784197001252e-16) * p_ball_radius) + (((fabsf(nx) * _s37) + (fabsf(ny) * _s40)) + (fabsf(nz) * _s45));
-    const float _s51 = ((float)1.125) * _s50;
-    const float _s52 = (_s29 + _s50) + larger(_s51, _s48);
-    const float _s53 = place_n + _s52;
-    const bool _s54 = ((float)0.0) < back;
-    const float _s55 = place_n + _s49;
-    return {choose(_s1, (-(ny * _s2)), ((float)0.0)), choose(_s1, (nx * _s2), ((float)1.0)), _s6, _s12, choose((((float)0.0) < _s26), larger(_s27, _s28), ((float)INFINITE)), choose(_s54, larger(_s49, _s53), _s52), choose(_s54, larger(_s55, _s52), _s52), ((float)8.881784197001252e-16) + ((((float)2.0) * _s5) * ((_s39 + _s36) + _s44))};
+    const float _s35 = ((((float)2.220446049250313e-16) * p_board_distance) + (((float)2.220446049250313e-16) * p_board_thickness)) + (((float)1.1102230246251565e-16) * _s10);
+    const float _s36 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s34 * _s31) + fabsf(x)))) + (((float)2.0) * _s35);
+    const float _s37 = ((float)1.1102230246251565e-16) * _s13;
+    const float _s38 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s34 * _s32) + fabsf(y)))) + (((float)2.0) * _s37);
+    const float _s39 = ((float)0.5) * p_gravity;
+    const float _s40 = ((_s39 * _s30) + (_s34 * fabsf((vz + (_s39 * t))))) + fabsf(z);
+    const float _s41 = ((float)1.1102230246251565e-16) * _s5;
+    const float _s42 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s40)) + (((float)2.0) * _s41);
+    const float _s43 = ((_s6 * _s33) * ((_s36 + _s38) + _s42)) + (((float)1.3322676295501878e-15) * _s33);
+    const float _s44 = ((float)1.125) * _s43;
+    const float _s45 = ((float)1.7763568394002505e-15) * (p_ball_radius * ((normal_velocity * normal_velocity) / (((vx * vx) + (vy * vy)) + (vz * vz))));
+    const float _s46 = (_s29 + _s43) + larger(_s44, _s45);
+    const float _s47 = (((float)8.881784197001252e-16) * p_ball_radius) + (((fabsf(nx) * _s36) + (fabsf(ny) * _s38)) + (fabsf(nz) * _s42));
+    const float _s48 = ((float)1.125) * _s47;
+    const float _s49 = (_s29 + _s47) + larger(_s48, _s45);
+    const float _s50 = place_n + _s49;
+    const bool _s51 = ((float)0.0) < back;
+    const float _s52 = place_n + _s46;
+    return {choose(_s1, (-(ny * _s2)), ((float)0.0)), choose(_s1, (nx * _s2), ((float)1.0)), choose(((((float)0.0) < _s5) && _s1), _s6, ((float)0.0)), _s14, choose((((float)0.0) < _s26), larger(_s27, _s28), ((float)INFINITE)), choose(_s51, larger(_s46, _s50), _s49), choose(_s51, larger(_s52, _s49), _s49), ((float)8.881784197001252e-16) + ((((float)2.0) * _s6) * ((_s35 + _s37) + _s41))};
 }
 
 /* Error of the normal, from that of the position.
@@ -5172,7 +5169,7 @@ static __device__ __forceinline__ kernel_bridge_curvature_out kernel_bridge_curv
 }
 
 /* Tangent and curvatures at a contact, and bounds on the roundings there.
-   Table 2, running error analysis. 190 operations: 45 additions, 13 subtractions, 51 multiplications, 4 divisions, 1 square root, 6 negations, 21 absolute values, 23 comparisons, 2 conjunctions, 24 selections. */
+   Table 2, running error analysis. 183 operations: 42 additions, 12 subtractions, 49 multiplications, 4 divisions, 1 square root, 6 negations, 20 absolute values, 23 comparisons, 2 conjunctions, 24 selections. */
 struct kernel_bridge_tangents_out {
     float tangent_x, tangent_y, bend_s, bend_e, sharpest_bend, root_offset, root_level, normal_rounding;
 };
@@ -5185,54 +5182,54 @@ static __device__ __forceinline__ kernel_bridge_tangents_out kernel_bridge_tange
     const float _s3 = z - p_wire_radius;
     const float _s4 = p_wire_radius - p_bridge_depth;
     const float _s5 = _s4 - z;
-    const float _s6 = ((float)1.0) / p_ball_radius;
-    const float _s7 = choose(((((float)0.0) < fabsf((larger(_s3, ((float)0.0)) - larger(_s5, ((float)0.0))))) && _s1), _s6, ((float)0.0));
+    const float _s6 = fabsf((larger(_s3, ((float)0.0)) - larger(_s5, ((float)0.0))));
+    const float _s7 = ((float)1.0) / p_ball_radius;
     const float _s8 = p_ring_radius + x;
     const float _s9 = -(p_board_distance + x);
-    const float _s10 = y - p_bridge_half_width;
-    const float _s11 = -(p_bridge_half_width + y);
-    const float _s12 = choose(((((float)0.0) < fabsf((larger(_s8, ((float)0.0)) - larger(_s9, ((float)0.0))))) && (((float)0.0) < fabsf((larger(_s10, ((float)0.0)) - larger(_s11, ((float)0.0)))))), (_s6 * _s2), ((float)0.0));
-    const float _s13 = fabsf(_s3);
-    const float _s14 = fabsf((z - _s4));
-    const float _s15 = fabsf(_s10);
-    const float _s16 = fabsf((y - (-p_bridge_half_width)));
-    const float _s17 = fabsf((x - (-p_ring_radius)));
-    const float _s18 = fabsf((x - (-p_board_distance)));
-    const float _s19 = smaller(_s17, _s18);
-    const float _s20 = smaller(_s16, _s19);
-    const float _s21 = smaller(_s15, _s20);
-    const float _s22 = smaller(_s14, _s21);
-    const float _s23 = smaller(_s13, _s22) - (((float)9.5367431640625e-07) * ((((p_ring_radius + p_wire_radius) + p_board_distance) + (((float)2.0) * p_bridge_half_width)) + fabsf((p_bridge_depth - p_wire_radius))));
-    const float _s24 = larger(_s6, _s12);
-    const float _s25 = ((float)1.0) / (((float)100.0) * _s23);
-    const float _s26 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (t * fabsf(normal_velocity)));
-    const float _s27 = t * t;
-    const float _s28 = fabsf(vx);
-    const float _s29 = fabsf(vy);
-    const float _s30 = (p_gravity * _s27) + (t * ((_s28 + _s29) + fabsf(vz)));
-    const float _s31 = ((float)2.0) * t;
-    const float _s32 = fabsf(x);
-    const float _s33 = ((((float)1.1102230246251565e-16) * p_ring_radius) + (((float)1.1102230246251565e-16) * p_board_distance)) + (((float)2.220446049250313e-16) * _s32);
-    const float _s34 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s31 * _s28) + _s32))) + (((float)2.0) * _s33);
-    const float _s35 = fabsf(y);
-    const float _s36 = (((float)3.3306690738754696e-16) * p_bridge_half_width) + (((float)2.220446049250313e-16) * _s35);
-    const float _s37 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s31 * _s29) + _s35))) + (((float)2.0) * _s36);
-    const float _s38 = ((float)0.5) * p_gravity;
-    const float _s39 = fabsf(z);
-    const float _s40 = ((_s38 * _s27) + (_s31 * fabsf((vz + (_s38 * t))))) + _s39;
-    const float _s41 = ((((float)5.551115123125783e-16) * p_wire_radius) + (((float)2.220446049250313e-16) * p_bridge_depth)) + (((float)3.3306690738754696e-16) * _s39);
+    const float _s10 = fabsf((larger(_s8, ((float)0.0)) - larger(_s9, ((float)0.0))));
+    const float _s11 = y - p_bridge_half_width;
+    const float _s12 = -(p_bridge_half_width + y);
+    const float _s13 = fabsf((larger(_s11, ((float)0.0)) - larger(_s12, ((float)0.0))));
+    const float _s14 = choose(((((float)0.0) < _s10) && (((float)0.0) < _s13)), (_s7 * _s2), ((float)0.0));
+    const float _s15 = fabsf(_s3);
+    const float _s16 = fabsf((z - _s4));
+    const float _s17 = fabsf(_s11);
+    const float _s18 = fabsf((y - (-p_bridge_half_width)));
+    const float _s19 = fabsf((x - (-p_ring_radius)));
+    const float _s20 = fabsf((x - (-p_board_distance)));
+    const float _s21 = smaller(_s19, _s20);
+    const float _s22 = smaller(_s18, _s21);
+    const float _s23 = smaller(_s17, _s22);
+    const float _s24 = smaller(_s16, _s23);
+    const float _s25 = ((float)9.5367431640625e-07) * ((((p_ring_radius + (((float)2.0) * p_wire_radius)) + p_board_distance) + (((float)2.0) * p_bridge_half_width)) + p_bridge_depth);
+    const float _s26 = smaller(_s15, _s24) - _s25;
+    const float _s27 = larger(_s7, _s14);
+    const float _s28 = ((float)1.0) / (((float)50.0) * _s26);
+    const float _s29 = ((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * (t * fabsf(normal_velocity)));
+    const float _s30 = t * t;
+    const float _s31 = fabsf(vx);
+    const float _s32 = fabsf(vy);
+    const float _s33 = (p_gravity * _s30) + (t * ((_s31 + _s32) + fabsf(vz)));
+    const float _s34 = ((float)2.0) * t;
+    const float _s35 = ((float)1.1102230246251565e-16) * _s10;
+    const float _s36 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s34 * _s31) + fabsf(x)))) + (((float)2.0) * _s35);
+    const float _s37 = ((float)1.1102230246251565e-16) * _s13;
+    const float _s38 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * ((_s34 * _s32) + fabsf(y)))) + (((float)2.0) * _s37);
+    const float _s39 = ((float)0.5) * p_gravity;
+    const float _s40 = ((_s39 * _s30) + (_s34 * fabsf((vz + (_s39 * t))))) + fabsf(z);
+    const float _s41 = ((((float)1.1102230246251565e-16) * p_wire_radius) + (((float)2.220446049250313e-16) * p_bridge_depth)) + (((float)1.1102230246251565e-16) * _s6);
     const float _s42 = (((float)7.888609052210118e-31) + (((float)1.1102230246251565e-16) * _s40)) + (((float)2.0) * _s41);
-    const float _s43 = ((_s6 * _s30) * ((_s34 + _s37) + _s42)) + (((float)1.3322676295501878e-15) * _s30);
+    const float _s43 = ((_s7 * _s33) * ((_s36 + _s38) + _s42)) + (((float)1.3322676295501878e-15) * _s33);
     const float _s44 = ((float)1.125) * _s43;
     const float _s45 = ((float)1.7763568394002505e-15) * (p_ball_radius * ((normal_velocity * normal_velocity) / (((vx * vx) + (vy * vy)) + (vz * vz))));
-    const float _s46 = (_s26 + _s43) + larger(_s44, _s45);
-    const float _s47 = (((float)8.881784197001252e-16) * p_ball_radius) + (((fabsf(nx) * _s34) + (fabsf(ny) * _s37)) + (fabsf(nz) * _s42));
+    const float _s46 = (_s29 + _s43) + larger(_s44, _s45);
+    const float _s47 = (((float)8.881784197001252e-16) * p_ball_radius) + (((fabsf(nx) * _s36) + (fabsf(ny) * _s38)) + (fabsf(nz) * _s42));
     const float _s48 = ((float)1.125) * _s47;
-    const float _s49 = (_s26 + _s47) + larger(_s48, _s45);
+    const float _s49 = (_s29 + _s47) + larger(_s48, _s45);
     const float _s50 = place_n + _s49;
     const bool _s51 = ((float)0.0) < back;
     const float _s52 = place_n + _s46;
-    return {choose(_s1, (-(ny * _s2)), ((float)0.0)), choose(_s1, (nx * _s2), ((float)1.0)), _s7, _s12, choose((((float)0.0) < _s23), larger(_s24, _s25), ((float)INFINITE)), choose(_s51, larger(_s46, _s50), _s49), choose(_s51, larger(_s52, _s49), _s49), ((float)8.881784197001252e-16) + ((((float)2.0) * _s6) * ((_s36 + _s33) + _s41))};
+    return {choose(_s1, (-(ny * _s2)), ((float)0.0)), choose(_s1, (nx * _s2), ((float)1.0)), choose(((((float)0.0) < _s6) && _s1), _s7, ((float)0.0)), _s14, choose((((float)0.0) < _s26), larger(_s27, _s28), ((float)INFINITE)), choose(_s51, larger(_s46, _s50), _s49), choose(_s51, larger(_s52, _s49), _s49), ((float)8.881784197001252e-16) + ((((float)2.0) * _s7) * ((_s41 + _s35) + _s37))};
 }
 
 /* Error of the normal, from that of the position.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 563ebbcb4880eca2,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation cfaff01c017934ea,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -912,35 +912,33 @@ _k262 = _float32(0.125)
 _k263 = _float32(1.4143014047294855)
 _k264 = _float32(0.25)
 _k265 = _float32(1.52587890625e-05)
-_k266 = _float32(3.3306690738754696e-16)
+_k266 = _scalar(_float32(50.0))
 _k267 = _float32(2.220446049250313e-16)
-_k268 = _scalar(_float32(3.3306690738754696e-16))
-_k269 = _scalar(_float32(2.220446049250313e-16))
-_k270 = _scalar(_float32(1.3322676295501878e-15))
-_k271 = _float32(8.881784197001252e-16)
-_k272 = _scalar(_float32(8.881784197001252e-16))
-_k273 = _float32(1.3322676295501878e-15)
-_k274 = _float64(6.103515625e-05)
-_k275 = _float64(1.25)
-_k276 = _scalar(3.3306690738754696e-16)
-_k277 = _scalar(1.3335686721571705e-15)
-_k278 = _scalar(4.00390625)
-_k279 = _scalar(2.001953125)
-_k280 = _float64(5.55653613398821e-16)
-_k281 = _float64(2.001953125)
-_k282 = _float64(3.3306690738754696e-16)
-_k283 = _float64(1.3335686721571705e-15)
-_k284 = _float64(6.667843360785852e-15)
-_k285 = _float64(12.01171875)
-_k286 = _float64(4.00390625)
-_k287 = _float64(2.667137344314341e-15)
-_k288 = _float64(6.005859375)
-_k289 = _scalar(2.9802322387695312e-08)
-_k290 = _float32(5.551115123125783e-16)
-_k291 = _float64(5.551115123125783e-16)
-_k292 = _scalar(2.222614453595284e-16)
-_k293 = _float64(6.667843360785852e-16)
-_k294 = _float64(2.222614453595284e-16)
+_k268 = _scalar(_float32(1.3322676295501878e-15))
+_k269 = _float32(8.881784197001252e-16)
+_k270 = _scalar(_float32(8.881784197001252e-16))
+_k271 = _float32(50.0)
+_k272 = _float32(1.3322676295501878e-15)
+_k273 = _float64(6.103515625e-05)
+_k274 = _float64(1.25)
+_k275 = _scalar(3.3306690738754696e-16)
+_k276 = _scalar(1.3335686721571705e-15)
+_k277 = _scalar(4.00390625)
+_k278 = _scalar(2.001953125)
+_k279 = _float64(5.55653613398821e-16)
+_k280 = _float64(2.001953125)
+_k281 = _float64(3.3306690738754696e-16)
+_k282 = _float64(1.3335686721571705e-15)
+_k283 = _float64(6.667843360785852e-15)
+_k284 = _float64(12.01171875)
+_k285 = _float64(4.00390625)
+_k286 = _float64(2.667137344314341e-15)
+_k287 = _float64(6.005859375)
+_k288 = _scalar(2.9802322387695312e-08)
+_k289 = _float64(5.551115123125783e-16)
+_k290 = _scalar(2.222614453595284e-16)
+_k291 = _float64(6.667843360785852e-16)
+_k292 = _float64(2.222614453595284e-16)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -5082,67 +5080,64 @@ def backboard_curvature(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: An
 def backboard_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, place_n: Any, normal_velocity: Any, back: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Tangent and curvatures at a contact, and bounds on the roundings there.
 
-    Table 2, running error analysis. 191 operations: 46 additions, 11 subtractions, 52 multiplications, 4 divisions, 1 square root, 6 negations, 22 absolute values, 23 comparisons, 2 conjunctions, 24 selections.
+    Table 2, running error analysis. 185 operations: 43 additions, 11 subtractions, 49 multiplications, 4 divisions, 1 square root, 6 negations, 22 absolute values, 23 comparisons, 2 conjunctions, 24 selections.
     """
     t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity,)]
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16 = _halves(_room[:17])
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _halves(_room[:18])
     _s0 = _sqrt(_add(_multiply(nx, nx, _r0), _multiply(ny, ny, _r1), _r1), _r1)
     _s1 = _k26 < _s0
     _s2 = _divide(_k139, _s0, _r1)
     _s3 = _subtract(z, p_board_top, _r0)
     _s4 = _subtract(p_board_bottom, z, _r2)
-    _s5 = _k141 / p_ball_radius
-    _s6 = _result(_logical_and((_k26 < _absolute(_subtract(_select(_s3 < _k26, _k26, _s3, _r3), _select(_s4 < _k26, _k26, _s4, _r4), _r4), _r4)), _s1), _s5, _k26, _r0)
-    _s7 = _add(p_board_distance, x, _r4)
+    _s5 = _absolute(_subtract(_select(_s3 < _k26, _k26, _s3, _r3), _select(_s4 < _k26, _k26, _s4, _r4), _r4), _r4)
+    _s6 = _k141 / p_ball_radius
+    _s7 = _add(p_board_distance, x, _r2)
     _s8 = p_board_distance + p_board_thickness
-    _s9 = _negative(_add(_s8, x, _r2), _r2)
-    _s10 = _subtract(y, p_board_half_width, _r3)
-    _s11 = _negative(_add(p_board_half_width, y, _r5), _r5)
-    _s12 = _result(_logical_and((_k26 < _absolute(_subtract(_select(_s7 < _k26, _k26, _s7, _r6), _select(_s9 < _k26, _k26, _s9, _r7), _r7), _r7)), (_k26 < _absolute(_subtract(_select(_s10 < _k26, _k26, _s10, _r7), _select(_s11 < _k26, _k26, _s11, _r2), _r2), _r2))), _multiply(_s5, _s2, _r2), _k26, _r0)
-    _s13 = _absolute(_s3, _r0)
-    _s14 = _absolute(_subtract(z, p_board_bottom, _r5), _r5)
-    _s15 = _absolute(_s10, _r3)
-    _s16 = _absolute(_subtract(y, -p_board_half_width, _r7), _r7)
-    _s17 = _absolute(_subtract(x, -p_board_distance, _r6), _r6)
-    _s18 = _absolute(_subtract(x, -_s8, _r4), _r4)
-    _s19 = _select(_s17 < _s18, _s17, _s18, _r8)
-    _s20 = _select(_s16 < _s19, _s16, _s19, _r9)
-    _s21 = _select(_s15 < _s20, _s15, _s20, _r10)
-    _s22 = _select(_s14 < _s21, _s14, _s21, _r11)
-    _s23 = _absolute(p_board_bottom)
-    _s24 = _absolute(p_board_top)
-    _s25 = _k160 * (((((_k33 * p_board_distance) + (_k33 * p_board_half_width)) + p_board_thickness) + _s23) + _s24)
-    _s26 = _subtract(_select(_s13 < _s22, _s13, _s22, _r12), _s25, _r12)
-    _s27 = _select(_s5 < _s12, _s12, _s5, _r11)
-    _s28 = _divide(_k139, _multiply(_k138, _s26, _r10), _r10)
-    _s29 = _add(_k21, _multiply(_k22, _multiply(t, _absolute(normal_velocity, _r9), _r9), _r9), _r9)
-    _s30 = _multiply(t, t, _r8)
-    _s31 = _absolute(vx, _r4)
-    _s32 = _absolute(vy, _r6)
-    _s33 = _add(_multiply(p_gravity, _s30, _r7), _multiply(t, _add(_add(_s31, _s32, _r3), _absolute(vz, _r5), _r5), _r5), _r5)
-    _s34 = _multiply(_k19, t, _r7)
-    _s35 = _absolute(x, _r3)
-    _s36 = _add((_k266 * p_board_distance) + (_k267 * p_board_thickness), _multiply(_k268, _s35, _r0), _r0)
-    _s37 = _add(_add(_k21, _multiply(_k22, _add(_multiply(_s34, _s31, _r4), _s35, _r3), _r3), _r3), _multiply(_k19, _s36, _r4), _r4)
-    _s38 = _absolute(y, _r3)
-    _s39 = _add(_k266 * p_board_half_width, _multiply(_k269, _s38, _r13), _r13)
-    _s40 = _add(_add(_k21, _multiply(_k22, _add(_multiply(_s34, _s32, _r6), _s38, _r3), _r3), _r3), _multiply(_k19, _s39, _r6), _r6)
-    _s41 = _k20 * p_gravity
-    _s42 = _absolute(z, _r3)
-    _s43 = _add(_add(_multiply(_s41, _s30, _r8), _multiply(_s34, _absolute(_add(vz, _multiply(_s41, t, _r14), _r14), _r14), _r14), _r14), _s42, _r14)
-    _s44 = _add((_k267 * _s23) + (_k267 * _s24), _multiply(_k269, _s42, _r3), _r3)
-    _s45 = _add(_add(_k21, _multiply(_k22, _s43, _r14), _r14), _multiply(_k19, _s44, _r8), _r8)
-    _s46 = _add(_multiply(_multiply(_s5, _s33, _r14), _add(_add(_s37, _s40, _r7), _s45, _r7), _r14), _multiply(_k270, _s33, _r5), _r5)
-    _s47 = _multiply(_k142, _s46, _r14)
-    _s48 = _multiply(_k169, _multiply(p_ball_radius, _divide(_multiply(normal_velocity, normal_velocity, _r7), _add(_add(_multiply(vx, vx, _r15), _multiply(vy, vy, _r16), _r16), _multiply(vz, vz, _r15), _r15), _r15), _r15), _r15)
-    _s49 = _add(_add(_s29, _s46, _r5), _select(_s47 < _s48, _s48, _s47, _r7), _r7)
-    _s50 = _add(_k271 * p_ball_radius, _add(_add(_multiply(_absolute(nx, _r14), _s37, _r14), _multiply(_absolute(ny, _r4), _s40, _r4), _r4), _multiply(_absolute(nz, _r14), _s45, _r14), _r14), _r14)
-    _s51 = _multiply(_k142, _s50, _r4)
-    _s52 = _add(_add(_s29, _s50, _r14), _select(_s51 < _s48, _s48, _s51, _r9), _r9)
-    _s53 = _add(place_n, _s52, _r4)
-    _s54 = _k26 < back
-    _s55 = _add(place_n, _s49, _r14)
-    return _result(_s1, _negative(_multiply(ny, _s2, _r15), _r15), _k26, _r0), _result(_s1, _multiply(nx, _s2, _r1), _k139, _r0), _s6, _s12, _result(_k26 < _s26, _select(_s27 < _s28, _s28, _s27, _r12), _k27, _r0), _result(_s54, _select(_s49 < _s53, _s53, _s49, _r12), _s52, _r0), _result(_s54, _select(_s55 < _s52, _s52, _s55, _r12), _s52, _r0), _k272 + _multiply(_k33 * _s5, _add(_add(_s39, _s36, _r13), _s44, _r13), _r13)
+    _s9 = _negative(_add(_s8, x, _r3), _r3)
+    _s10 = _absolute(_subtract(_select(_s7 < _k26, _k26, _s7, _r5), _select(_s9 < _k26, _k26, _s9, _r6), _r6), _r6)
+    _s11 = _subtract(y, p_board_half_width, _r3)
+    _s12 = _negative(_add(p_board_half_width, y, _r5), _r5)
+    _s13 = _absolute(_subtract(_select(_s11 < _k26, _k26, _s11, _r2), _select(_s12 < _k26, _k26, _s12, _r7), _r7), _r7)
+    _s14 = _result(_logical_and((_k26 < _s10), (_k26 < _s13)), _multiply(_s6, _s2, _r5), _k26, _r0)
+    _s15 = _absolute(_s3, _r0)
+    _s16 = _absolute(_subtract(z, p_board_bottom, _r2), _r2)
+    _s17 = _absolute(_s11, _r3)
+    _s18 = _absolute(_subtract(y, -p_board_half_width, _r8), _r8)
+    _s19 = _absolute(_subtract(x, -p_board_distance, _r9), _r9)
+    _s20 = _absolute(_subtract(x, -_s8, _r10), _r10)
+    _s21 = _select(_s19 < _s20, _s19, _s20, _r11)
+    _s22 = _select(_s18 < _s21, _s18, _s21, _r12)
+    _s23 = _select(_s17 < _s22, _s17, _s22, _r13)
+    _s24 = _select(_s16 < _s23, _s16, _s23, _r14)
+    _s25 = _k160 * (((((_k33 * p_board_distance) + (_k33 * p_board_half_width)) + p_board_thickness) + _absolute(p_board_bottom)) + _absolute(p_board_top))
+    _s26 = _subtract(_select(_s15 < _s24, _s15, _s24, _r15), _s25, _r15)
+    _s27 = _select(_s6 < _s14, _s14, _s6, _r14)
+    _s28 = _divide(_k139, _multiply(_k266, _s26, _r13), _r13)
+    _s29 = _add(_k21, _multiply(_k22, _multiply(t, _absolute(normal_velocity, _r12), _r12), _r12), _r12)
+    _s30 = _multiply(t, t, _r11)
+    _s31 = _absolute(vx, _r10)
+    _s32 = _absolute(vy, _r9)
+    _s33 = _add(_multiply(p_gravity, _s30, _r8), _multiply(t, _add(_add(_s31, _s32, _r3), _absolute(vz, _r2), _r2), _r2), _r2)
+    _s34 = _multiply(_k19, t, _r8)
+    _s35 = _add((_k267 * p_board_distance) + (_k267 * p_board_thickness), _multiply(_k22, _s10, _r6), _r6)
+    _s36 = _add(_add(_k21, _multiply(_k22, _add(_multiply(_s34, _s31, _r10), _absolute(x, _r3), _r3), _r3), _r3), _multiply(_k19, _s35, _r10), _r10)
+    _s37 = _multiply(_k22, _s13, _r7)
+    _s38 = _add(_add(_k21, _multiply(_k22, _add(_multiply(_s34, _s32, _r9), _absolute(y, _r3), _r3), _r3), _r3), _multiply(_k19, _s37, _r9), _r9)
+    _s39 = _k20 * p_gravity
+    _s40 = _add(_add(_multiply(_s39, _s30, _r11), _multiply(_s34, _absolute(_add(vz, _multiply(_s39, t, _r3), _r3), _r3), _r3), _r3), _absolute(z, _r11), _r11)
+    _s41 = _multiply(_k22, _s5, _r3)
+    _s42 = _add(_add(_k21, _multiply(_k22, _s40, _r11), _r11), _multiply(_k19, _s41, _r8), _r8)
+    _s43 = _add(_multiply(_multiply(_s6, _s33, _r11), _add(_add(_s36, _s38, _r0), _s42, _r0), _r11), _multiply(_k268, _s33, _r2), _r2)
+    _s44 = _multiply(_k142, _s43, _r11)
+    _s45 = _multiply(_k169, _multiply(p_ball_radius, _divide(_multiply(normal_velocity, normal_velocity, _r0), _add(_add(_multiply(vx, vx, _r16), _multiply(vy, vy, _r17), _r17), _multiply(vz, vz, _r16), _r16), _r16), _r16), _r16)
+    _s46 = _add(_add(_s29, _s43, _r2), _select(_s44 < _s45, _s45, _s44, _r0), _r0)
+    _s47 = _add(_k269 * p_ball_radius, _add(_add(_multiply(_absolute(nx, _r11), _s36, _r11), _multiply(_absolute(ny, _r10), _s38, _r10), _r10), _multiply(_absolute(nz, _r11), _s42, _r11), _r11), _r11)
+    _s48 = _multiply(_k142, _s47, _r10)
+    _s49 = _add(_add(_s29, _s47, _r11), _select(_s48 < _s45, _s45, _s48, _r12), _r12)
+    _s50 = _add(place_n, _s49, _r10)
+    _s51 = _k26 < back
+    _s52 = _add(place_n, _s46, _r11)
+    return _result(_s1, _negative(_multiply(ny, _s2, _r16), _r16), _k26, _r0), _result(_s1, _multiply(nx, _s2, _r1), _k139, _r0), _result(_logical_and((_k26 < _s5), _s1), _s6, _k26, _r0), _s14, _result(_k26 < _s26, _select(_s27 < _s28, _s28, _s27, _r15), _k27, _r0), _result(_s51, _select(_s46 < _s50, _s50, _s46, _r15), _s49, _r0), _result(_s51, _select(_s52 < _s49, _s49, _s52, _r15), _s49, _r0), _k270 + _multiply(_k33 * _s6, _add(_add(_s35, _s37, _r7), _s41, _r7), _r7)
 
 
 def backboard_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, change_ball_radius: Any, change_board_distance: Any, change_board_half_width: Any, change_board_bottom: Any, change_board_top: Any, change_board_thickness: Any) -> tuple[Any, ...]:
@@ -5301,12 +5296,12 @@ def backboard_margins(horizon: Any, extent: Any, speed: Any, position_error: Any
     _s8 = _multiply(_k48, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k14, _s6, _r4), _r4), _r4)
     _s9 = _add(_add(3.3306690738754696e-16 * p_board_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
-    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k276, _s6, _r1), _r1), _s8, _r1)
+    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k275, _s6, _r1), _r1), _s8, _r1)
     _s12 = _add(_add((2.220446049250313e-16 * _absolute(p_board_bottom)) + (2.220446049250313e-16 * _absolute(p_board_top)), _s7, _r2), _s8, _r2)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k277, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k278, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k276, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k279, _s5, _r6)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k276, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k277, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k275, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k278, _s5, _r6)
     _s17 = _add(_add(_add(_multiply(2.667137344314341e-15 * _s4, _s5, _r8), _multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k61, _s5, _r0), _r0), _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r1), _r1)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
@@ -5446,7 +5441,7 @@ def backboard_approaches(leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx:
     _s12 = _multiply(_k90, _add(_multiply(velocity_error, _s9, _r0), _multiply(_s10, _add(velocity_error, _add(speed, _multiply(p_gravity, horizon, _r6), _r6), _r6), _r6), _r6), _r6)
     _s13 = _multiply(_multiply(_k71, horizon, _r0), _negative(_multiply(p_gravity, _s8, _r1), _r1), _r0)
     _s14 = _add(_subtract(_add(_add(_multiply(vx, _s2, _r3), _multiply(vy, _s5, _r4), _r4), _multiply(vz, _s8, _r5), _r5), _s12, _r6), _select(_s13 < _k4, _s13, _k4, _r5), _r5) <= _k4
-    _s15 = _logical_or(_logical_not(_logical_and(_logical_and(_s11, (position_error <= _multiply(_k289, extent, _r5))), (velocity_error <= _multiply(_k289, speed, _r5)))), _s14)
+    _s15 = _logical_or(_logical_not(_logical_and(_logical_and(_s11, (position_error <= _multiply(_k288, extent, _r5))), (velocity_error <= _multiply(_k288, speed, _r5)))), _s14)
     return _s15,
 
 
@@ -5760,64 +5755,64 @@ def bridge_curvature(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
 def bridge_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, place_n: Any, normal_velocity: Any, back: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Tangent and curvatures at a contact, and bounds on the roundings there.
 
-    Table 2, running error analysis. 190 operations: 45 additions, 13 subtractions, 51 multiplications, 4 divisions, 1 square root, 6 negations, 21 absolute values, 23 comparisons, 2 conjunctions, 24 selections.
+    Table 2, running error analysis. 183 operations: 42 additions, 12 subtractions, 49 multiplications, 4 divisions, 1 square root, 6 negations, 20 absolute values, 23 comparisons, 2 conjunctions, 24 selections.
     """
     t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity,)]
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16 = _halves(_room[:17])
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _halves(_room[:18])
     _s0 = _sqrt(_add(_multiply(nx, nx, _r0), _multiply(ny, ny, _r1), _r1), _r1)
     _s1 = _k26 < _s0
     _s2 = _divide(_k139, _s0, _r1)
     _s3 = _subtract(z, p_wire_radius, _r0)
     _s4 = p_wire_radius - p_bridge_depth
     _s5 = _subtract(_s4, z, _r2)
-    _s6 = _k141 / p_ball_radius
-    _s7 = _result(_logical_and((_k26 < _absolute(_subtract(_select(_s3 < _k26, _k26, _s3, _r3), _select(_s5 < _k26, _k26, _s5, _r4), _r4), _r4)), _s1), _s6, _k26, _r0)
-    _s8 = _add(p_ring_radius, x, _r4)
-    _s9 = _negative(_add(p_board_distance, x, _r2), _r2)
-    _s10 = _subtract(y, p_bridge_half_width, _r3)
-    _s11 = _negative(_add(p_bridge_half_width, y, _r5), _r5)
-    _s12 = _result(_logical_and((_k26 < _absolute(_subtract(_select(_s8 < _k26, _k26, _s8, _r6), _select(_s9 < _k26, _k26, _s9, _r7), _r7), _r7)), (_k26 < _absolute(_subtract(_select(_s10 < _k26, _k26, _s10, _r7), _select(_s11 < _k26, _k26, _s11, _r2), _r2), _r2))), _multiply(_s6, _s2, _r2), _k26, _r0)
-    _s13 = _absolute(_s3, _r0)
-    _s14 = _absolute(_subtract(z, _s4, _r5), _r5)
-    _s15 = _absolute(_s10, _r3)
-    _s16 = _absolute(_subtract(y, -p_bridge_half_width, _r7), _r7)
-    _s17 = _absolute(_subtract(x, -p_ring_radius, _r6), _r6)
-    _s18 = _absolute(_subtract(x, -p_board_distance, _r4), _r4)
-    _s19 = _select(_s17 < _s18, _s17, _s18, _r8)
-    _s20 = _select(_s16 < _s19, _s16, _s19, _r9)
-    _s21 = _select(_s15 < _s20, _s15, _s20, _r10)
-    _s22 = _select(_s14 < _s21, _s14, _s21, _r11)
-    _s23 = _subtract(_select(_s13 < _s22, _s13, _s22, _r12), _k160 * ((((p_ring_radius + p_wire_radius) + p_board_distance) + (_k33 * p_bridge_half_width)) + _absolute((p_bridge_depth - p_wire_radius))), _r12)
-    _s24 = _select(_s6 < _s12, _s12, _s6, _r11)
-    _s25 = _divide(_k139, _multiply(_k138, _s23, _r10), _r10)
-    _s26 = _add(_k21, _multiply(_k22, _multiply(t, _absolute(normal_velocity, _r9), _r9), _r9), _r9)
-    _s27 = _multiply(t, t, _r8)
-    _s28 = _absolute(vx, _r4)
-    _s29 = _absolute(vy, _r6)
-    _s30 = _add(_multiply(p_gravity, _s27, _r7), _multiply(t, _add(_add(_s28, _s29, _r3), _absolute(vz, _r5), _r5), _r5), _r5)
-    _s31 = _multiply(_k19, t, _r7)
-    _s32 = _absolute(x, _r3)
-    _s33 = _add((_k32 * p_ring_radius) + (_k32 * p_board_distance), _multiply(_k269, _s32, _r0), _r0)
-    _s34 = _add(_add(_k21, _multiply(_k22, _add(_multiply(_s31, _s28, _r4), _s32, _r3), _r3), _r3), _multiply(_k19, _s33, _r4), _r4)
-    _s35 = _absolute(y, _r3)
-    _s36 = _add(_k266 * p_bridge_half_width, _multiply(_k269, _s35, _r13), _r13)
-    _s37 = _add(_add(_k21, _multiply(_k22, _add(_multiply(_s31, _s29, _r6), _s35, _r3), _r3), _r3), _multiply(_k19, _s36, _r6), _r6)
-    _s38 = _k20 * p_gravity
-    _s39 = _absolute(z, _r3)
-    _s40 = _add(_add(_multiply(_s38, _s27, _r8), _multiply(_s31, _absolute(_add(vz, _multiply(_s38, t, _r14), _r14), _r14), _r14), _r14), _s39, _r14)
-    _s41 = _add((_k290 * p_wire_radius) + (_k267 * p_bridge_depth), _multiply(_k268, _s39, _r3), _r3)
-    _s42 = _add(_add(_k21, _multiply(_k22, _s40, _r14), _r14), _multiply(_k19, _s41, _r8), _r8)
-    _s43 = _add(_multiply(_multiply(_s6, _s30, _r14), _add(_add(_s34, _s37, _r7), _s42, _r7), _r14), _multiply(_k270, _s30, _r5), _r5)
-    _s44 = _multiply(_k142, _s43, _r14)
-    _s45 = _multiply(_k169, _multiply(p_ball_radius, _divide(_multiply(normal_velocity, normal_velocity, _r7), _add(_add(_multiply(vx, vx, _r15), _multiply(vy, vy, _r16), _r16), _multiply(vz, vz, _r15), _r15), _r15), _r15), _r15)
-    _s46 = _add(_add(_s26, _s43, _r5), _select(_s44 < _s45, _s45, _s44, _r7), _r7)
-    _s47 = _add(_k271 * p_ball_radius, _add(_add(_multiply(_absolute(nx, _r14), _s34, _r14), _multiply(_absolute(ny, _r4), _s37, _r4), _r4), _multiply(_absolute(nz, _r14), _s42, _r14), _r14), _r14)
-    _s48 = _multiply(_k142, _s47, _r4)
-    _s49 = _add(_add(_s26, _s47, _r14), _select(_s48 < _s45, _s45, _s48, _r9), _r9)
-    _s50 = _add(place_n, _s49, _r4)
+    _s6 = _absolute(_subtract(_select(_s3 < _k26, _k26, _s3, _r3), _select(_s5 < _k26, _k26, _s5, _r4), _r4), _r4)
+    _s7 = _k141 / p_ball_radius
+    _s8 = _add(p_ring_radius, x, _r2)
+    _s9 = _negative(_add(p_board_distance, x, _r3), _r3)
+    _s10 = _absolute(_subtract(_select(_s8 < _k26, _k26, _s8, _r5), _select(_s9 < _k26, _k26, _s9, _r6), _r6), _r6)
+    _s11 = _subtract(y, p_bridge_half_width, _r3)
+    _s12 = _negative(_add(p_bridge_half_width, y, _r5), _r5)
+    _s13 = _absolute(_subtract(_select(_s11 < _k26, _k26, _s11, _r2), _select(_s12 < _k26, _k26, _s12, _r7), _r7), _r7)
+    _s14 = _result(_logical_and((_k26 < _s10), (_k26 < _s13)), _multiply(_s7, _s2, _r5), _k26, _r0)
+    _s15 = _absolute(_s3, _r0)
+    _s16 = _absolute(_subtract(z, _s4, _r2), _r2)
+    _s17 = _absolute(_s11, _r3)
+    _s18 = _absolute(_subtract(y, -p_bridge_half_width, _r8), _r8)
+    _s19 = _absolute(_subtract(x, -p_ring_radius, _r9), _r9)
+    _s20 = _absolute(_subtract(x, -p_board_distance, _r10), _r10)
+    _s21 = _select(_s19 < _s20, _s19, _s20, _r11)
+    _s22 = _select(_s18 < _s21, _s18, _s21, _r12)
+    _s23 = _select(_s17 < _s22, _s17, _s22, _r13)
+    _s24 = _select(_s16 < _s23, _s16, _s23, _r14)
+    _s25 = _k160 * ((((p_ring_radius + (_k33 * p_wire_radius)) + p_board_distance) + (_k33 * p_bridge_half_width)) + p_bridge_depth)
+    _s26 = _subtract(_select(_s15 < _s24, _s15, _s24, _r15), _s25, _r15)
+    _s27 = _select(_s7 < _s14, _s14, _s7, _r14)
+    _s28 = _divide(_k139, _multiply(_k266, _s26, _r13), _r13)
+    _s29 = _add(_k21, _multiply(_k22, _multiply(t, _absolute(normal_velocity, _r12), _r12), _r12), _r12)
+    _s30 = _multiply(t, t, _r11)
+    _s31 = _absolute(vx, _r10)
+    _s32 = _absolute(vy, _r9)
+    _s33 = _add(_multiply(p_gravity, _s30, _r8), _multiply(t, _add(_add(_s31, _s32, _r3), _absolute(vz, _r2), _r2), _r2), _r2)
+    _s34 = _multiply(_k19, t, _r8)
+    _s35 = _multiply(_k22, _s10, _r6)
+    _s36 = _add(_add(_k21, _multiply(_k22, _add(_multiply(_s34, _s31, _r10), _absolute(x, _r3), _r3), _r3), _r3), _multiply(_k19, _s35, _r10), _r10)
+    _s37 = _multiply(_k22, _s13, _r7)
+    _s38 = _add(_add(_k21, _multiply(_k22, _add(_multiply(_s34, _s32, _r9), _absolute(y, _r3), _r3), _r3), _r3), _multiply(_k19, _s37, _r9), _r9)
+    _s39 = _k20 * p_gravity
+    _s40 = _add(_add(_multiply(_s39, _s30, _r11), _multiply(_s34, _absolute(_add(vz, _multiply(_s39, t, _r3), _r3), _r3), _r3), _r3), _absolute(z, _r11), _r11)
+    _s41 = _add((_k32 * p_wire_radius) + (_k267 * p_bridge_depth), _multiply(_k22, _s6, _r3), _r3)
+    _s42 = _add(_add(_k21, _multiply(_k22, _s40, _r11), _r11), _multiply(_k19, _s41, _r8), _r8)
+    _s43 = _add(_multiply(_multiply(_s7, _s33, _r11), _add(_add(_s36, _s38, _r0), _s42, _r0), _r11), _multiply(_k268, _s33, _r2), _r2)
+    _s44 = _multiply(_k142, _s43, _r11)
+    _s45 = _multiply(_k169, _multiply(p_ball_radius, _divide(_multiply(normal_velocity, normal_velocity, _r0), _add(_add(_multiply(vx, vx, _r16), _multiply(vy, vy, _r17), _r17), _multiply(vz, vz, _r16), _r16), _r16), _r16), _r16)
+    _s46 = _add(_add(_s29, _s43, _r2), _select(_s44 < _s45, _s45, _s44, _r0), _r0)
+    _s47 = _add(_k269 * p_ball_radius, _add(_add(_multiply(_absolute(nx, _r11), _s36, _r11), _multiply(_absolute(ny, _r10), _s38, _r10), _r10), _multiply(_absolute(nz, _r11), _s42, _r11), _r11), _r11)
+    _s48 = _multiply(_k142, _s47, _r10)
+    _s49 = _add(_add(_s29, _s47, _r11), _select(_s48 < _s45, _s45, _s48, _r12), _r12)
+    _s50 = _add(place_n, _s49, _r10)
     _s51 = _k26 < back
-    _s52 = _add(place_n, _s46, _r14)
-    return _result(_s1, _negative(_multiply(ny, _s2, _r15), _r15), _k26, _r0), _result(_s1, _multiply(nx, _s2, _r1), _k139, _r0), _s7, _s12, _result(_k26 < _s23, _select(_s24 < _s25, _s25, _s24, _r12), _k27, _r0), _result(_s51, _select(_s46 < _s50, _s50, _s46, _r12), _s49, _r0), _result(_s51, _select(_s52 < _s49, _s49, _s52, _r12), _s49, _r0), _k272 + _multiply(_k33 * _s6, _add(_add(_s36, _s33, _r13), _s41, _r13), _r13)
+    _s52 = _add(place_n, _s46, _r11)
+    return _result(_s1, _negative(_multiply(ny, _s2, _r16), _r16), _k26, _r0), _result(_s1, _multiply(nx, _s2, _r1), _k139, _r0), _result(_logical_and((_k26 < _s6), _s1), _s7, _k26, _r0), _s14, _result(_k26 < _s26, _select(_s27 < _s28, _s28, _s27, _r15), _k27, _r0), _result(_s51, _select(_s46 < _s50, _s50, _s46, _r15), _s49, _r0), _result(_s51, _select(_s52 < _s49, _s49, _s52, _r15), _s49, _r0), _k270 + _multiply(_k33 * _s7, _add(_add(_s41, _s35, _r3), _s37, _r3), _r3)
 
 
 def bridge_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any, change_board_distance: Any, change_bridge_half_width: Any, change_bridge_depth: Any) -> tuple[Any, ...]:
@@ -5977,11 +5972,11 @@ def bridge_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, v
     _s9 = _add(_add(3.3306690738754696e-16 * p_bridge_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
     _s11 = _add(_add((1.1102230246251565e-16 * p_ring_radius) + (1.1102230246251565e-16 * p_board_distance), _s7, _r2), _s8, _r2)
-    _s12 = _add(_add((5.551115123125783e-16 * p_wire_radius) + (2.220446049250313e-16 * p_bridge_depth), _multiply(_k276, _s6, _r1), _r1), _s8, _r1)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k277, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k278, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k276, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k279, _s5, _r6)
+    _s12 = _add(_add((5.551115123125783e-16 * p_wire_radius) + (2.220446049250313e-16 * p_bridge_depth), _multiply(_k275, _s6, _r1), _r1), _s8, _r1)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k276, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k277, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k275, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k278, _s5, _r6)
     _s17 = _add(_add(_add(_multiply(2.667137344314341e-15 * _s4, _s5, _r8), _multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k61, _s5, _r0), _r0), _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r2), _r2)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
@@ -6141,7 +6136,7 @@ def bridge_approaches(leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: An
     _s13 = _subtract(_add(_add(_multiply(vx, _s2, _r3), _multiply(vy, _s8, _r5), _r5), _multiply(vz, _s5, _r3), _r3), _s12, _r6)
     _s14 = _multiply(_multiply(_k71, horizon, _r3), _negative(_multiply(p_gravity, _s5, _r4), _r4), _r3)
     _s15 = _select(_s14 < _k4, _s14, _k4, _r4)
-    _s16 = _logical_or(_logical_not(_logical_and(_logical_and(_s11, (position_error <= _multiply(_k289, extent, _r5))), (velocity_error <= _multiply(_k289, speed, _r5)))), _logical_or(_logical_and(first_near, (_add(_s13, _multiply(_k71, _s15, _r5), _r5) <= _k4)), _logical_and(later_near, (_add(_s13, _s15, _r4) <= _k4))))
+    _s16 = _logical_or(_logical_not(_logical_and(_logical_and(_s11, (position_error <= _multiply(_k288, extent, _r5))), (velocity_error <= _multiply(_k288, speed, _r5)))), _logical_or(_logical_and(first_near, (_add(_s13, _multiply(_k71, _s15, _r5), _r5) <= _k4)), _logical_and(later_near, (_add(_s13, _s15, _r4) <= _k4))))
     return _s16,
 
 
@@ -6479,7 +6474,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k292, _s0, _r1), _r1) + _multiply(_k279, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k14, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k290, _s0, _r1), _r1) + _multiply(_k278, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k14, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -8495,7 +8490,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s7 = p_ball_radius + p_board_half_width
     _s8 = _s7 if _s7 < _s2 else _s2
     _s9 = _s6 if _s6 < _s8 else _s8
-    _s10 = _k274 * _s9
+    _s10 = _k273 * _s9
     _s11 = _s2 + _s10
     _s12 = p_board_distance + _s1
     _s13 = _s12 + x
@@ -8534,7 +8529,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k44 * (((_k275 * abs((-p_gravity))) * (p_ball_radius + (_k175 * _s9))) + (_k86 * (_s48 * _s48)))
+    _s49 = _k44 * (((_k274 * abs((-p_gravity))) * (p_ball_radius + (_k175 * _s9))) + (_k86 * (_s48 * _s48)))
     _s50 = _s7 if _s2 < _s7 else _s2
     _s51 = ((_s12 + extent) + abs((_s5 + _s3))) + (_s6 if _s50 < _s6 else _s50)
     _s52 = (_root(_k44) * _root((_s27 * (_s51 + _s9)))) + ((_k44 * speed) * _s27)
@@ -8552,16 +8547,16 @@ def _backboard_margins_alone(horizon: Any, extent: Any, speed: Any, position_err
     _s6 = extent + (horizon * _s5)
     _s7 = _k62 * _s6
     _s8 = _k44 * ((position_error + (horizon * velocity_error)) + (_k18 * _s6))
-    _s9 = ((_k282 * p_board_half_width) + _s7) + _s8
-    _s10 = _k281 * _s4
-    _s11 = (((_k282 * p_board_distance) + (_k62 * p_board_thickness)) + (_k282 * _s6)) + _s8
+    _s9 = ((_k281 * p_board_half_width) + _s7) + _s8
+    _s10 = _k280 * _s4
+    _s11 = (((_k281 * p_board_distance) + (_k62 * p_board_thickness)) + (_k281 * _s6)) + _s8
     _s12 = (((_k62 * abs(p_board_bottom)) + (_k62 * abs(p_board_top))) + _s7) + _s8
-    _s13 = ((((_k280 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k283 * horizon) * _s4) * _s5)
-    _s14 = _k286 * _s5
-    _s15 = ((((_k284 * _s4) * _s5) + ((_k285 * _s4) * (velocity_error + (_k282 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k281 * _s5
-    _s17 = ((((_k287 * _s4) * _s5) + ((_k288 * _s4) * (velocity_error + (_k62 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k283 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s13 = ((((_k279 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k282 * horizon) * _s4) * _s5)
+    _s14 = _k285 * _s5
+    _s15 = ((((_k283 * _s4) * _s5) + ((_k284 * _s4) * (velocity_error + (_k281 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k280 * _s5
+    _s17 = ((((_k286 * _s4) * _s5) + ((_k287 * _s4) * (velocity_error + (_k62 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k282 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _backboard_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -8819,7 +8814,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s7 = _s2 - _s6
     _s8 = _s5 if _s5 < _s7 else _s7
     _s9 = _s4 if _s4 < _s8 else _s8
-    _s10 = _k274 * _s9
+    _s10 = _k273 * _s9
     _s11 = (_s2 + _s10) - _s6
     _s12 = _s6 + _s1
     _s13 = _s12 + x
@@ -8858,7 +8853,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k44 * (((_k275 * abs((-p_gravity))) * (p_ball_radius + (_k175 * _s9))) + (_k86 * (_s48 * _s48)))
+    _s49 = _k44 * (((_k274 * abs((-p_gravity))) * (p_ball_radius + (_k175 * _s9))) + (_k86 * (_s48 * _s48)))
     _s50 = _s5 if _s7 < _s5 else _s7
     _s51 = ((_s12 + extent) + abs((_s3 - p_wire_radius))) + (_s4 if _s50 < _s4 else _s50)
     _s52 = (_root(_k44) * _root((_s27 * (_s51 + _s9)))) + ((_k44 * speed) * _s27)
@@ -8876,16 +8871,16 @@ def _bridge_margins_alone(horizon: Any, extent: Any, speed: Any, position_error:
     _s6 = extent + (horizon * _s5)
     _s7 = _k62 * _s6
     _s8 = _k44 * ((position_error + (horizon * velocity_error)) + (_k18 * _s6))
-    _s9 = ((_k282 * p_bridge_half_width) + _s7) + _s8
-    _s10 = _k281 * _s4
+    _s9 = ((_k281 * p_bridge_half_width) + _s7) + _s8
+    _s10 = _k280 * _s4
     _s11 = (((_k57 * p_ring_radius) + (_k57 * p_board_distance)) + _s7) + _s8
-    _s12 = (((_k291 * p_wire_radius) + (_k62 * p_bridge_depth)) + (_k282 * _s6)) + _s8
-    _s13 = ((((_k280 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k283 * horizon) * _s4) * _s5)
-    _s14 = _k286 * _s5
-    _s15 = ((((_k284 * _s4) * _s5) + ((_k285 * _s4) * (velocity_error + (_k282 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k281 * _s5
-    _s17 = ((((_k287 * _s4) * _s5) + ((_k288 * _s4) * (velocity_error + (_k62 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k283 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s12 = (((_k289 * p_wire_radius) + (_k62 * p_bridge_depth)) + (_k281 * _s6)) + _s8
+    _s13 = ((((_k279 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k282 * horizon) * _s4) * _s5)
+    _s14 = _k285 * _s5
+    _s15 = ((((_k283 * _s4) * _s5) + ((_k284 * _s4) * (velocity_error + (_k281 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k280 * _s5
+    _s17 = ((((_k286 * _s4) * _s5) + ((_k287 * _s4) * (velocity_error + (_k62 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k282 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _bridge_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:

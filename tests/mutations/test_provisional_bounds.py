@@ -29,7 +29,7 @@ def check(test: Any, *given: tuple[Any, ...]) -> OfEngine:
 
 
 contacts = check(proof.check_proved, ("nba",))
-rolls = check(proof.check_rolls)
+rolls, starts = check(proof.check_rolls), check(proof.check_start)
 at_limit = check(proof.check_time_limit, (0.9,), (1.2,))
 
 
@@ -47,7 +47,11 @@ FAULTS = (
         ),
         contacts,
     ),
-    Planted("delays do not add up", decided("clock_bound + delay", "clock_bound"), contacts),
+    Planted(
+        "delays do not add up",
+        decided("clock_bound + delay", "clock_bound + delay / 2**20"),
+        contacts,
+    ),
     Planted(
         "bounds of any size are used",
         in_text(provisional, "doubt", "Not(known), ", ""),
@@ -59,9 +63,9 @@ FAULTS = (
         rolls,
     ),
     Planted(
-        "a ball that rolls is not estimated",
+        "a ball that starts on a body is not estimated",
         decided("{estimated.name: 1}", "{estimated.name: estimated}"),
-        rolls,
+        starts,
     ),
     Planted(
         "decisions and reports use the other bounds",
