@@ -30,7 +30,12 @@ class ContactErrors:
     open: int = 0
     shares: list[float] = field(default_factory=lambda: [0.0] * len(KINDS))
 
-    def add(self, flown: hoopgen.Shots, proved: Certificate) -> NDArray[Any]:
+    def add(
+        self,
+        flown: hoopgen.Shots,
+        proved: Certificate,
+        among: NDArray[np.bool_] | bool = True,
+    ) -> NDArray[Any]:
         """Add the contacts of shots.
 
         Parameters
@@ -39,6 +44,8 @@ class ContactErrors:
             Shots with "uncertain", "time_error" and "state_error", and with their event log.
         proved
             The proofs of the same shots, with their events.
+        among
+            Those that count, (n,).
 
         Returns
         -------
@@ -46,7 +53,8 @@ class ContactErrors:
             The largest share of each shot, (n,).
         """
         largest, log = np.zeros(len(flown)), flown.events
-        sure = (log["kind"] == hoopgen.Event.IMPACT) & ~flown.uncertain[log["shot"]]
+        counted = ~flown.uncertain & among
+        sure = (log["kind"] == hoopgen.Event.IMPACT) & counted[log["shot"]]
         log, errors = log[sure], proved.event_errors(flown)[sure]
         off = np.column_stack([errors["time_error"], errors["after_error"]])
         bounds = np.column_stack([log["time_error"], log["state_error"]])

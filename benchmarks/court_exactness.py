@@ -1,0 +1,96 @@
+"""Shots of the whole hoop held against the judge: those whose flags and bounds are proved."""
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from benchmarks.contact_errors import KINDS, ContactErrors
+from benchmarks.families import FAMILIES, Family
+from benchmarks.report import number, table
+from hoopgen import COURT, NBA_COURT
+from hoopgen.text.numbers import format_percent
+
+MAX_CONTACTS = 14
+"""The judge proves bounces one by one, and many shots bounce until they roll."""
+
+LEFT_OUT = ("axis", "e0", "e001", "e099", "e1", "hoops")
+"""Families that touch nothing, or whose parameters are those of another scene."""
+
+CHOSEN = tuple(family for family in FAMILIES if family.key not in LEFT_OUT)
+
+
+@dataclass
+class CourtTally:
+    """The results of one family's shots.
+
+    `wrong`: neither flagged nor estimated, and not as proved. `contact_errors`: the largest shares
+    of the bounds after each contact, over the shots that are neither.
+    """
+
+    label: str
+    shots: int = 0
+    contacts: int = 0
+    estimated: int = 0
+    flagged: int = 0
+    wrong: int = 0
+    contact_errors: ContactErrors = field(default_factory=ContactErrors)
+    seconds: float = 0.0
+
+    @property
+    def holds(self) -> bool:
+        """True if no promise is broken."""
+        return self.wrong == 0 and max(self.contact_errors.shares) <= 1
+
+
+def court_tally(family: Family, shots: int) -> CourtTally:
+    """Fly and judge a family's releases in `NBA_COURT`.
+
+    Parameters
+    ----------
+    family
+        The family.
+    shots
+        The number of shots.
+    """
+    started = time.perf_counter()
+    states, _ = family.make(shots)
+    options: dict[str, Any] = {"max_contacts": MAX_CONTACTS, "record": True}
+    flown = COURT.simulate(states, NBA_COURT, **options, fields=tuple(COURT.layout.results))
+    proof = COURT.certify(states, NBA_COURT, **options)
+    result = CourtTally(family.label, len(flown), int(flown.contacts.sum()))
+    result.estimated = int(flown.estimated.sum())
+    result.flagged = int((flown.uncertain & ~flown.estimated).sum())
+    result.wrong = int(np.sum(~flown.estimated & ~proof.agrees(flown)))
+    result.contact_errors.add(flown, proof, ~flown.estimated)
+    result.seconds = time.perf_counter() - started
+    return result
+
+
+def court_section(tallies: Sequence[CourtTally]) -> list[str]:
+    """Return the section of the page.
+
+    Parameters
+    ----------
+    tallies
+        The results.
+    """
+    head = ["shots", "number", "contacts", "estimated", "not estimated: flagged", "wrong", *KINDS]
+    rows = []
+    for t in tallies:
+        shares = (number(share) if share else "0" for share in t.contact_errors.shares)
+        counts = (format_percent(n / t.shots, 2) for n in (t.estimated, t.flagged))
+        rows.append([t.label, f"{t.shots:,}", f"{t.contacts:,}", *counts, str(t.wrong), *shares])
+    return [
+        "## The whole hoop",
+        "",
+        "The same for `NBA_COURT`, in which contacts grip or slip and board and bridge are plates, "
+        f"up to {MAX_CONTACTS} contacts. *Estimated* are shots whose bounds are not proved to the "
+        "end. The other columns are of the rest: *wrong* are those that are neither flagged nor as "
+        "the judge proves them to be, and the last four columns are the largest shares of the "
+        "bounds after a contact.",
+        "",
+        *table(head, rows),
+    ]
