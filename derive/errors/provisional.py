@@ -5,11 +5,12 @@ rolls need. Until it is `estimated` its decisions allow for the proved bounds, a
 the vector times a factor. It is estimated from the contact on
 
 - after which the ball is so slow off the surface that its bounces may soon end there, at the latest
-  where that is decided (`rolling/settling.py`);
+  where it is decided whether they do (`rolling/settling.py`); on a body, from the start on;
 - after which no lemma holds, or the bound on its place exceeds `LARGEST_PLACE`. Proved bounds grow
   faster than errors do; what they would flag then is mostly certain.
 
-So the theorem about flags and bounds holds for every shot that is not estimated at its end.
+So the theorem about flags and bounds holds for every shot with its premises (`scenes/premises.py`)
+that is not estimated at its end.
 """
 
 from __future__ import annotations

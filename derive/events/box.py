@@ -53,10 +53,10 @@ is negative until r/C > 2 F(t)/r, when F has fallen through zero, as F(t) - r s 
 the squared distance from the box less R_B² everywhere, so this is a contact. ∎
 
 *Where Newton's method ends.* As on the ring, |F| <= 2^-49 F'²/C besides roundings, and C >= 6 V²
-makes that at most 11 u R̂², while m has 16 u R_B² at least. On a return m has 96 u R̂ V t at least.
-Either F' = 0 in between and |F''| <= C, so that |F'| <= C t, and it is at most 2^-49 |F'| t <= 32 u
-R̂ V t; or the ball was beyond 5/4 R̂, so that V t > R_B/2, and 11 u R̂² are less than a third of m. So
-|F| <= 7/3 m for the lemma in `event_polynomials.crossing`.
+makes that at most 11 u R̂², while m has 12 u R̂² + 4 u R_B² at least. On a return m has 96 u R̂ V t
+at least. Either F' = 0 in between and |F''| <= C, so that |F'| <= C t, and it is at most 2^-49 |F'|
+t <= 32 u R̂ V t; or the ball was beyond 5/4 R̂, so that V t >= R̂/2, and 11 u R̂² are less than a
+third of m. So |F| <= 7/3 m for the lemma in `event_polynomials.crossing`.
 """
 
 from __future__ import annotations
@@ -68,12 +68,14 @@ import sympy as sp
 
 from ..surfaces import Box
 from ..symbolic.conditionals import IfLess, absolute, barrier, minimum
+from ..symbolic.error_terms import earliest_delay
 from ..symbolic.rounding import ROUNDING_SLACK, Rounded, rounding
 from ..symbolic.symbols import POSITION, VELOCITY, t
 from .bounding_boxes import may_reach_box, may_reach_plate
 from .box_windows import RELATIVE_INFLATION, lost, windows
 from .event_polynomials import Window, ceiling, horizon, time_rounding
 from .polynomial import CEILING_BOX_FACTOR
+from .predicates import pad
 from .root_finder import RootFinder
 from .separation import may_approach
 
@@ -131,8 +133,16 @@ class BoxRootFinder(RootFinder):
 
     @property
     def lost(self) -> sp.Expr:
-        """Positive if errors come near to the inflation of the windows."""
-        return lost(self.box.reference_point, self.box.half_sizes, self.flight.acceleration)
+        """Positive if errors come near to the inflation of the windows.
+
+        Or if the earliest arrival may be so late that the ball flies on by more than a quarter of
+        the inflation until then. Else a contact until then has its window open at the horizon, and
+        there it is undecided if the horizon is too early (`out_of_budget`).
+        """
+        _, fastest = self.flight.size(horizon)
+        late = barrier(IfLess(2 * pad, earliest_delay, fastest * earliest_delay, 0))
+        excess = lost(self.box.reference_point, self.box.half_sizes, self.flight.acceleration)
+        return barrier(excess + late)
 
     def _moving(self) -> list[tuple[sp.Expr, sp.Expr, sp.Expr]]:
         """Return e, velocity and acceleration of each coordinate at time t."""

@@ -23,8 +23,9 @@ The searches come to these results as follows.
 - *Ring*: `root_finder.py`. What is not certain is undecided from where the search stands, before
   which there is no root; a root that was certain, but not with the shot's own errors, by its delay
   before.
-- *The horizon*: the plane of the earliest arrival is met by t + δ*/3, which is before t + pad if
-  δ* <= 2 pad (`overdue`). Without an arrival at a plane the horizon is infinite.
+- *The horizon*: the plane of the earliest arrival is met by t + δ*/3, which is before t + pad if δ*
+  <= 2 pad (`overdue`; at boxes `lost` in `box.py`). Without an arrival at a plane the horizon is
+  infinite.
 - *The time limit*: the time left is off by the error of the clock and by 4 u of the limit, its
   roundings; it is an arrival like others (`loop/predicates.py`, `expiry`).
 """

@@ -154,7 +154,7 @@ class RootSearch(Search):
     def nodes(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
         """Search the first arrival; a shot that certainly misses the surface does not take part."""
         yield Call(common["horizon"], {"t": "when"}, {"horizon": "until"})
-        # Where balls roll, bounds are proved among rings alone that have such a test.
+        # Where balls roll, flags of shots with such a test are proved for rings alone.
         if "clear" in own and (not self.flight.departs or isinstance(self.surface, Ring)):
             yield Call(common["overdue"])
         step = tuple(self._step(common, own, index))

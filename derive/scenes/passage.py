@@ -163,7 +163,9 @@ def _astray(passage: Passage, flight: Parabola) -> dict[str, sp.Basic]:
     e is twice e in height; unless the computed ball is then outside the disc by more than `slack`,
     and the true one outside, too. At the passings the places differ by at most p + v t and their
     roundings in norm, and by the way flown in `late`: `slack` contains both, and with 8 u V t in it
-    the roundings of the distances. The place at the start contains what a contact's delay makes. ∎
+    the roundings of the distances. The true ball ends the flight later or earlier by a contact's
+    delay; the bound on the place at the start of the next flight contains what that makes, and is
+    tested there. ∎
     """
     passings, gravity = _disc_passings(flight), flight.strength
     there, moving = flight.rounding(t)

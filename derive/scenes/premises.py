@@ -53,6 +53,9 @@ from .scene import Scene
 LARGEST = sp.Integer(2**16)
 """Largest size of a flight over R."""
 
+LARGEST_BY_BALL = sp.Integer(2**40)
+"""Largest size of a flight among boxes over R_B (`events/box.py`)."""
+
 NARROWEST, WIDEST = sp.Rational(3, 2), sp.Integer(16)
 """Smallest and largest R_H over R."""
 
@@ -91,6 +94,8 @@ def premises(scene: Scene) -> dict[str, sp.Basic] | None:
     reach = barrier(energy / gravity + 2 * around)
     size = barrier(around + barrier(2 * contacts + 12) * reach)
     conditions = [AtMost(law.restitution_at(sp.Integer(0)), 1) for law in scene.laws]
+    if any(isinstance(surface, Box) for surface in scene.surfaces):
+        conditions.append(AtMost((1 + ROOM) * size, LARGEST_BY_BALL * ball.radius))
     for ring in rings:
         conditions += [
             AtMost((1 + ROOM) * size, LARGEST * ring.reach),

@@ -204,10 +204,12 @@ class Scene:
     def proves_bounces(self) -> bool:
         """True if errors have proved bounds until a ball rolls, beside those that are estimated.
 
-        A start at a plane is not decided where balls roll, so that no body may have one.
+        Where balls roll, it is decided on which side of a plane a flight begins only if the plane
+        ends shots and gravity pulls to it. So no body may be a plane, and no end another one.
         """
         planes = any(isinstance(surface, Plane) for surface in self.surfaces)
-        return self.rolls and self._has_lemmas and not planes
+        pulls = all(plane.direction == (0, 0, 1) for plane in self.end_planes)
+        return self.rolls and self._has_lemmas and pulls and not planes
 
     @property
     def _has_lemmas(self) -> bool:
@@ -338,7 +340,10 @@ def proves_contacts(surface: Surface) -> bool:
     if isinstance(surface, Box):
         plain = not isinstance(surface, ObliqueBox) and not surface.bounds
         return plain and all(map(_known_sides, surface.low, surface.high))
-    return isinstance(surface, Ring | Plane)
+    if isinstance(surface, Plane):
+        # The lemmas of arrivals say nothing of planes that gravity, along -z, pulls off.
+        return surface.direction[2] >= 0
+    return isinstance(surface, Ring)
 
 
 def _known_sides(low: sp.Expr, high: sp.Expr) -> bool:

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation cfaff01c017934ea,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 0ede778297a8c774,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -4533,13 +4533,13 @@ LANES(court_backboard_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V 
 }
 
 /* Constants and windows of the search along a flight, and its error budget.
-   bounds of the event condition. 102 operations: 18 additions, 8 subtractions, 19 multiplications, 4 divisions, 3 square roots, 4 negations, 2 absolute values, 21 comparisons, 23 selections. */
+   bounds of the event condition. 109 operations: 20 additions, 8 subtractions, 22 multiplications, 4 divisions, 3 square roots, 4 negations, 2 absolute values, 22 comparisons, 24 selections. */
 typedef struct {
     V low0, high0, low1, high1, ceiling, latest, budget_exceeded;
 } LANES(court_backboard_prepare_out);
 
 LANES_INLINE LANES(court_backboard_prepare_out)
-LANES(court_backboard_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14)
+LANES(court_backboard_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V earliest_delay, V pad, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14)
 {
     const V _s0 = lanes_abs(vx);
     const V _s1 = lanes_add(_c5, x);
@@ -4576,8 +4576,8 @@ LANES(court_backboard_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V ext
     const V _s32 = lanes_add(speed, lanes_mul(_c0, _s31));
     const V _s33 = lanes_add(lanes_add(lanes_add(_c5, extent), _c12), _c13);
     const V _s34 = lanes_add(lanes_mul(_c11, lanes_sqrt(lanes_mul(_c9, lanes_add(_s33, _c3)))), lanes_mul(lanes_mul(K(2.0), speed), _c9));
-    const V _s35 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s34, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _c9), _s33))), _c14);
-    return (LANES(court_backboard_prepare_out)){ lanes_max(K(0.0), _s15), lanes_min(_s25, horizon), lanes_max(K(0.0), _s27), lanes_min(_s28, horizon), lanes_mul(K(2.0), lanes_add(_c10, lanes_mul(K(3.0), lanes_mul(_s32, _s32)))), _s31, _s35 };
+    const V _s35 = lanes_add(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s34, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _c9), _s33))), lanes_select(lanes_less(lanes_mul(K(2.0), pad), earliest_delay), lanes_mul(earliest_delay, lanes_add(speed, lanes_mul(_c0, horizon))), K(0.0)));
+    return (LANES(court_backboard_prepare_out)){ lanes_max(K(0.0), _s15), lanes_min(_s25, horizon), lanes_max(K(0.0), _s27), lanes_min(_s28, horizon), lanes_mul(K(2.0), lanes_add(_c10, lanes_mul(K(3.0), lanes_mul(_s32, _s32)))), _s31, lanes_sub(_s35, _c14) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
@@ -5193,13 +5193,13 @@ LANES(court_bridge_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V _c0
 }
 
 /* Constants and windows of the search along a flight, and its error budget.
-   bounds of the event condition. 102 operations: 19 additions, 7 subtractions, 19 multiplications, 4 divisions, 3 square roots, 4 negations, 2 absolute values, 21 comparisons, 23 selections. */
+   bounds of the event condition. 109 operations: 21 additions, 7 subtractions, 22 multiplications, 4 divisions, 3 square roots, 4 negations, 2 absolute values, 22 comparisons, 24 selections. */
 typedef struct {
     V low0, high0, low1, high1, ceiling, latest, budget_exceeded;
 } LANES(court_bridge_prepare_out);
 
 LANES_INLINE LANES(court_bridge_prepare_out)
-LANES(court_bridge_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14)
+LANES(court_bridge_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V earliest_delay, V pad, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14)
 {
     const V _s0 = lanes_abs(vx);
     const V _s1 = lanes_add(_c5, x);
@@ -5236,8 +5236,8 @@ LANES(court_bridge_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent
     const V _s32 = lanes_add(speed, lanes_mul(_c1, _s31));
     const V _s33 = lanes_add(lanes_add(lanes_add(_c5, extent), _c12), _c13);
     const V _s34 = lanes_add(lanes_mul(_c11, lanes_sqrt(lanes_mul(_c9, lanes_add(_s33, _c3)))), lanes_mul(lanes_mul(K(2.0), speed), _c9));
-    const V _s35 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s34, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _c9), _s33))), _c14);
-    return (LANES(court_bridge_prepare_out)){ lanes_max(K(0.0), _s15), lanes_min(_s25, horizon), lanes_max(K(0.0), _s27), lanes_min(_s28, horizon), lanes_mul(K(2.0), lanes_add(_c10, lanes_mul(K(3.0), lanes_mul(_s32, _s32)))), _s31, _s35 };
+    const V _s35 = lanes_add(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s34, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _c9), _s33))), lanes_select(lanes_less(lanes_mul(K(2.0), pad), earliest_delay), lanes_mul(earliest_delay, lanes_add(speed, lanes_mul(_c1, horizon))), K(0.0)));
+    return (LANES(court_bridge_prepare_out)){ lanes_max(K(0.0), _s15), lanes_min(_s25, horizon), lanes_max(K(0.0), _s27), lanes_min(_s28, horizon), lanes_mul(K(2.0), lanes_add(_c10, lanes_mul(K(3.0), lanes_mul(_s32, _s32)))), _s31, lanes_sub(_s35, _c14) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation cfaff01c017934ea,
+   Generated from templates/c/loop.h.j2, scene court, derivation 0ede778297a8c774,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -4450,8 +4450,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             BOUNDS(EACH(LOAD, reachable_, earliest_delay, position_error, undecided_time, velocity_error))
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
-            BOUNDS(EACH(GET, _horizon_1, pad))
-            CALL(court_backboard_prepare, _backboard_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(21), FIXED(57), FIXED(58), FIXED(59), FIXED(60), FIXED(61), FIXED(62), FIXED(63), FIXED(22), FIXED(20), FIXED(64), FIXED(45), FIXED(65), FIXED(66), FIXED(67));
+            EACH(GET, _horizon_1, pad)
+            CALL(court_backboard_prepare, _backboard_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(21), FIXED(57), FIXED(58), FIXED(59), FIXED(60), FIXED(61), FIXED(62), FIXED(63), FIXED(22), FIXED(20), FIXED(64), FIXED(45), FIXED(65), FIXED(66), FIXED(67));
             EACH(GET, _backboard_prepare_1, low0, high0, low1, high1, ceiling, latest)
             BOUNDS(EACH(GET, _backboard_prepare_1, budget_exceeded))
             CALL(court_beginning, _beginning_1)();
@@ -4860,8 +4860,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             BOUNDS(EACH(LOAD, reachable_, position_error, undecided_time, velocity_error))
             CALL(court_horizon, _horizon_1)(when, speed, FIXED(20));
             V until = _horizon_1.horizon;
-            BOUNDS(EACH(GET, _horizon_1, pad))
-            CALL(court_bridge_prepare, _bridge_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), FIXED(8), FIXED(21), FIXED(87), FIXED(88), FIXED(89), FIXED(90), FIXED(91), FIXED(92), FIXED(22), FIXED(20), FIXED(93), FIXED(45), FIXED(94), FIXED(95), FIXED(96));
+            EACH(GET, _horizon_1, pad)
+            CALL(court_bridge_prepare, _bridge_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, OR_ZERO(position_error), OR_ZERO(velocity_error), OR_ZERO(earliest_delay), pad, FIXED(8), FIXED(21), FIXED(87), FIXED(88), FIXED(89), FIXED(90), FIXED(91), FIXED(92), FIXED(22), FIXED(20), FIXED(93), FIXED(45), FIXED(94), FIXED(95), FIXED(96));
             EACH(GET, _bridge_prepare_1, low0, high0, low1, high1, ceiling, latest)
             BOUNDS(EACH(GET, _bridge_prepare_1, budget_exceeded))
             CALL(court_beginning, _beginning_1)();

@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation cfaff01c017934ea,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation 0ede778297a8c774,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -4581,12 +4581,12 @@ static __device__ __forceinline__ kernel_backboard_carry_normal_out kernel_backb
 }
 
 /* Constants and windows of the search along a flight, and its error budget.
-   bounds of the event condition. 135 operations: 27 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections. */
+   bounds of the event condition. 142 operations: 29 additions, 10 subtractions, 31 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 26 comparisons, 28 selections. */
 struct kernel_backboard_prepare_out {
     double low0, high0, low1, high1, ceiling, latest, budget_exceeded;
 };
 
-static __device__ __forceinline__ kernel_backboard_prepare_out kernel_backboard_prepare(double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_gravity)
+static __device__ __forceinline__ kernel_backboard_prepare_out kernel_backboard_prepare(double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double earliest_delay, double pad, double p_ball_radius, double p_board_distance, double p_board_half_width, double p_board_bottom, double p_board_top, double p_board_thickness, double p_gravity)
 {
     const double _s0 = fabs(vx);
     const double _s1 = 0.5 * p_board_thickness;
@@ -4641,8 +4641,8 @@ static __device__ __forceinline__ kernel_backboard_prepare_out kernel_backboard_
     const double _s50 = larger(_s2, _s7);
     const double _s51 = ((_s12 + extent) + fabs((_s5 + _s3))) + larger(_s50, _s6);
     const double _s52 = (sqrt(2.0) * sqrt((_s27 * (_s51 + _s9)))) + ((2.0 * speed) * _s27);
-    const double _s53 = ((position_error + (velocity_error * smaller(_s52, horizon))) + (3.552713678800501e-15 * (((speed * speed) * _s27) + _s51))) - (1.52587890625e-05 * _s9);
-    return {larger(0.0, _s31), smaller(_s41, horizon), larger(0.0, _s43), smaller(_s44, horizon), _s49, _s47, _s53};
+    const double _s53 = ((position_error + (velocity_error * smaller(_s52, horizon))) + (3.552713678800501e-15 * (((speed * speed) * _s27) + _s51))) + choose(((2.0 * pad) < earliest_delay), (earliest_delay * (speed + (p_gravity * horizon))), 0.0);
+    return {larger(0.0, _s31), smaller(_s41, horizon), larger(0.0, _s43), smaller(_s44, horizon), _s49, _s47, _s53 - (1.52587890625e-05 * _s9)};
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
@@ -5270,12 +5270,12 @@ static __device__ __forceinline__ kernel_bridge_carry_normal_out kernel_bridge_c
 }
 
 /* Constants and windows of the search along a flight, and its error budget.
-   bounds of the event condition. 135 operations: 27 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections. */
+   bounds of the event condition. 142 operations: 29 additions, 10 subtractions, 31 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 26 comparisons, 28 selections. */
 struct kernel_bridge_prepare_out {
     double low0, high0, low1, high1, ceiling, latest, budget_exceeded;
 };
 
-static __device__ __forceinline__ kernel_bridge_prepare_out kernel_bridge_prepare(double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_bridge_half_width, double p_bridge_depth, double p_gravity)
+static __device__ __forceinline__ kernel_bridge_prepare_out kernel_bridge_prepare(double horizon, double x, double y, double z, double vx, double vy, double vz, double extent, double speed, double position_error, double velocity_error, double earliest_delay, double pad, double p_ball_radius, double p_ring_radius, double p_wire_radius, double p_board_distance, double p_bridge_half_width, double p_bridge_depth, double p_gravity)
 {
     const double _s0 = fabs(vx);
     const double _s1 = 0.5 * p_board_distance;
@@ -5330,8 +5330,8 @@ static __device__ __forceinline__ kernel_bridge_prepare_out kernel_bridge_prepar
     const double _s50 = larger(_s7, _s5);
     const double _s51 = ((_s12 + extent) + fabs((_s3 - p_wire_radius))) + larger(_s50, _s4);
     const double _s52 = (sqrt(2.0) * sqrt((_s27 * (_s51 + _s9)))) + ((2.0 * speed) * _s27);
-    const double _s53 = ((position_error + (velocity_error * smaller(_s52, horizon))) + (3.552713678800501e-15 * (((speed * speed) * _s27) + _s51))) - (1.52587890625e-05 * _s9);
-    return {larger(0.0, _s31), smaller(_s41, horizon), larger(0.0, _s43), smaller(_s44, horizon), _s49, _s47, _s53};
+    const double _s53 = ((position_error + (velocity_error * smaller(_s52, horizon))) + (3.552713678800501e-15 * (((speed * speed) * _s27) + _s51))) + choose(((2.0 * pad) < earliest_delay), (earliest_delay * (speed + (p_gravity * horizon))), 0.0);
+    return {larger(0.0, _s31), smaller(_s41, horizon), larger(0.0, _s43), smaller(_s44, horizon), _s49, _s47, _s53 - (1.52587890625e-05 * _s9)};
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
@@ -6459,9 +6459,8 @@ static __device__ __forceinline__ void court_loop(
         if (reachable) {
             const kernel_horizon_out _o79 = kernel_horizon(when, speed, p_gravity);
             until = _o79.horizon;
-            if (BOUNDS)
-                pad = _o79.pad;
-            const kernel_backboard_prepare_out _o80 = kernel_backboard_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
+            pad = _o79.pad;
+            const kernel_backboard_prepare_out _o80 = kernel_backboard_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_ball_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_gravity);
             low0 = _o80.low0;
             high0 = _o80.high0;
             low1 = _o80.low1;
@@ -6679,9 +6678,8 @@ static __device__ __forceinline__ void court_loop(
         if (reachable) {
             const kernel_horizon_out _o126 = kernel_horizon(when, speed, p_gravity);
             until = _o126.horizon;
-            if (BOUNDS)
-                pad = _o126.pad;
-            const kernel_bridge_prepare_out _o127 = kernel_bridge_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
+            pad = _o126.pad;
+            const kernel_bridge_prepare_out _o127 = kernel_bridge_prepare(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, earliest_delay, pad, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_bridge_half_width, p_bridge_depth, p_gravity);
             low0 = _o127.low0;
             high0 = _o127.high0;
             low1 = _o127.low1;

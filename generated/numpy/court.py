@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation cfaff01c017934ea,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 0ede778297a8c774,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -691,254 +691,255 @@ _k41 = _float64(1.52587890625e-05)
 _k42 = _float64(1.0000009536743164)
 _k43 = _float64(12.0)
 _k44 = _float64(2.0)
-_k45 = _float64(65536.0)
-_k46 = _float64(1.5000014305114746)
-_k47 = _float64(16.0)
-_k48 = _scalar(2.0)
-_k49 = _scalar(7.888609052210118e-31)
-_k50 = _scalar(1.1102230246251565e-16)
-_k51 = _scalar(8.0)
-_k52 = _scalar(0.25)
-_k53 = _scalar(0.0625)
-_k54 = _scalar(0.125)
-_k55 = _float64(0.25)
-_k56 = _float64(7.888609052210118e-31)
-_k57 = _float64(1.1102230246251565e-16)
-_k58 = _float64(8.0)
-_k59 = _float64(0.125)
-_k60 = _float64(0.0625)
-_k61 = _scalar(2.220446049250313e-16)
-_k62 = _float64(2.220446049250313e-16)
-_k63 = _scalar(16.0)
-_k64 = _scalar(64.0)
-_k65 = _float64(64.0)
-_k66 = _float64(-1.0)
-_k67 = _float64(0.015625)
-_k68 = _float64(1073741824.0)
-_k69 = _float64(9.313225746154785e-10)
-_k70 = _float64(1.2676506002282294e+30)
-_k71 = _scalar(0.5)
-_k72 = _scalar(1.7763568394002505e-15)
-_k73 = _float64(4.0)
-_k74 = _float64(1.7763568394002505e-15)
-_k75 = _scalar(8.881784197001252e-16)
-_k76 = _float64(8.881784197001252e-16)
-_k77 = _scalar(-1.0)
-_k78 = _scalar(9.313225746154785e-10)
-_k79 = _scalar(1.0000000009313226)
-_k80 = _float64(1.0000000009313226)
-_k81 = _float64(2.9802322387695312e-08)
-_k82 = _float64(2.842170943040401e-14)
-_k83 = _float64(0.03125)
-_k84 = _float64(5.960464477539063e-08)
-_k85 = _scalar(1073741824.0)
-_k86 = _float64(3.0)
-_k87 = _scalar(0.3333333333333333)
-_k88 = _float64(0.3333333333333333)
-_k89 = _scalar(3.0)
-_k90 = _scalar(4.0)
-_k91 = _scalar(0.2)
-_k92 = _float64(0.2)
-_k93 = _scalar(5.0)
-_k94 = _scalar(0.16666666666666666)
-_k95 = _float64(5.0)
-_k96 = _float64(0.16666666666666666)
-_k97 = _scalar(0.14285714285714285)
-_k98 = _float64(0.14285714285714285)
-_k99 = _scalar(7.0)
-_k100 = _float64(7.0)
-_k101 = _scalar(0.1111111111111111)
-_k102 = _float64(0.1111111111111111)
-_k103 = _scalar(1.4210854715202004e-14)
-_k104 = _scalar(12.0)
-_k105 = _scalar(20.0)
-_k106 = _scalar(30.0)
-_k107 = _scalar(42.0)
-_k108 = _float64(1.4210854715202004e-14)
-_k109 = _float64(20.0)
-_k110 = _float64(30.0)
-_k111 = _float64(42.0)
-_k112 = _float64(7.275957614183426e-12)
-_k113 = _float64(1.1920928955078125e-07)
-_k114 = _scalar(9.5367431640625e-07)
-_k115 = _scalar(9.094947017729282e-13)
-_k116 = _scalar(0.9999990463256836)
-_k117 = _float64(9.094947017729282e-13)
-_k118 = _float64(0.9999990463256836)
-_k119 = _float64(3.637978807091713e-12)
-_k120 = _float64(1.4551915228366852e-11)
-_k121 = _scalar(5.684341886080802e-14)
-_k122 = _float64(5.684341886080802e-14)
-_k123 = _scalar(7.105427357601002e-15)
-_k124 = _float64(7.105427357601002e-15)
-_k125 = _float64(0.0078125)
-_k126 = _scalar(0.0078125)
-_k127 = _scalar(128.0)
-_k128 = _float64(128.0)
-_k129 = _float64(2.384185791015625e-07)
-_k130 = _scalar(5.960464477539063e-08)
-_k131 = _float64(-_inf)
-_k132 = _scalar(2.2737367544323206e-13)
-_k133 = _scalar(1.4551915228366852e-11)
-_k134 = _float64(3.725290298461914e-09)
-_k135 = _float64(2.2737367544323206e-13)
-_k136 = _scalar(_float32(7.62939453125e-06))
-_k137 = _scalar(_float32(1.02))
-_k138 = _scalar(_float32(100.0))
-_k139 = _scalar(_float32(1.0))
-_k140 = _scalar(_float32(4194304.0))
-_k141 = _float32(1.0)
-_k142 = _scalar(_float32(1.125))
-_k143 = _scalar(_float32(3.552713678800501e-15))
-_k144 = _scalar(_float32(5.0))
-_k145 = _scalar(_float32(9.5367431640625e-07))
-_k146 = _scalar(_float32(-1.0))
-_k147 = _float32(32.0)
-_k148 = _scalar(_float32(4.0))
-_k149 = _scalar(_float32(20.0))
-_k150 = _scalar(_float32(1.05))
-_k151 = _scalar(_float32(0.421875))
-_k152 = _scalar(_float32(0.578125))
-_k153 = _float32(1.02)
-_k154 = _float32(7.62939453125e-06)
-_k155 = _float32(100.0)
-_k156 = _float32(4194304.0)
-_k157 = _float32(1.125)
-_k158 = _float32(3.552713678800501e-15)
-_k159 = _float32(5.0)
-_k160 = _float32(9.5367431640625e-07)
-_k161 = _float32(-1.0)
-_k162 = _float32(20.0)
-_k163 = _float32(4.0)
-_k164 = _float32(1.05)
-_k165 = _float32(0.421875)
-_k166 = _float32(0.578125)
-_k167 = _scalar(_float32(1.5))
-_k168 = _float32(16.0)
-_k169 = _scalar(_float32(1.7763568394002505e-15))
-_k170 = _float32(3.5)
-_k171 = _float32(7.0)
-_k172 = _float32(1.5)
-_k173 = _float32(1.7763568394002505e-15)
-_k174 = _float64(1.00006103515625)
-_k175 = _float64(0.0001220703125)
-_k176 = _float64(0.000244140625)
-_k177 = _float64(5.820766091346741e-11)
-_k178 = _float64(6.0003662109375)
-_k179 = _scalar(2.409919865102884e-181)
-_k180 = _scalar(-_inf)
-_k181 = _float64(2.409919865102884e-181)
-_k182 = _scalar(3.552713678800501e-15)
-_k183 = _float64(1.3323489447131243e-15)
-_k184 = _float64(5.00030517578125)
-_k185 = _float64(3.552713678800501e-15)
-_k186 = _float32(1.00006103515625)
-_k187 = _scalar(_float32(4.76837158203125e-07))
-_k188 = _scalar(_float32(8.673617379884035e-19))
-_k189 = _scalar(_float32(-_inf))
-_k190 = _float32(0.0001220703125)
-_k191 = _scalar(_float32(1.000000238418579))
-_k192 = _float32(4096.0)
-_k193 = _float32(0.000244140625)
-_k194 = _scalar(_float32(4096.0))
-_k195 = _float32(4.76837158203125e-07)
-_k196 = _float32(8.673617379884035e-19)
-_k197 = _float32(-_inf)
-_k198 = _float32(1.000000238418579)
-_k199 = _scalar(_float32(0.00390625))
-_k200 = _scalar(_float32(2.9802322387695312e-08))
-_k201 = _scalar(_float32(2.842170943040401e-14))
-_k202 = _float32(6.0003662109375)
-_k203 = _scalar(_float32(0.5))
-_k204 = _float32(5.0048828125)
-_k205 = _scalar(_float32(5.684341886080802e-14))
-_k206 = _scalar(_float32(2.384185791015625e-07))
-_k207 = _float32(128.0)
-_k208 = _float32(2.842170943040401e-14)
-_k209 = _float32(0.00390625)
-_k210 = _float32(2.9802322387695312e-08)
-_k211 = _float32(5.684341886080802e-14)
-_k212 = _float32(2.384185791015625e-07)
-_k213 = _float32(6.0)
-_k214 = _scalar(_float32(8.0))
-_k215 = _scalar(_float32(0.0001220703125))
-_k216 = _scalar(_float32(3.814697265625e-06))
-_k217 = _scalar(_float32(3.0))
-_k218 = _scalar(_float32(0.000244140625))
-_k219 = _float32(8.0)
-_k220 = _float32(3.814697265625e-06)
-_k221 = _float32(3.0)
-_k222 = _float64(8.940696716308594e-08)
-_k223 = _scalar(0.1)
-_k224 = _scalar(0.09090909090909091)
-_k225 = _scalar(0.08333333333333333)
-_k226 = _scalar(2.48015873015873e-05)
-_k227 = _scalar(2.08767569878681e-09)
-_k228 = _scalar(2.755731922398589e-07)
-_k229 = _scalar(0.001388888888888889)
-_k230 = _scalar(0.041666666666666664)
-_k231 = _scalar(0.008333333333333333)
-_k232 = _scalar(2.7557319223985893e-06)
-_k233 = _scalar(2.505210838544172e-08)
-_k234 = _scalar(0.0001984126984126984)
-_k235 = _float64(0.041666666666666664)
-_k236 = _float64(2.48015873015873e-05)
-_k237 = _float64(2.08767569878681e-09)
-_k238 = _float64(0.1)
-_k239 = _float64(0.09090909090909091)
-_k240 = _float64(0.08333333333333333)
-_k241 = _float64(2.755731922398589e-07)
-_k242 = _float64(0.001388888888888889)
-_k243 = _float64(0.008333333333333333)
-_k244 = _float64(2.7557319223985893e-06)
-_k245 = _float64(2.505210838544172e-08)
-_k246 = _float64(0.0001984126984126984)
-_k247 = _scalar(4.547473508864641e-13)
-_k248 = _scalar(0.75)
-_k249 = _scalar(11.0)
-_k250 = _scalar(10.0)
-_k251 = _scalar(9.0)
-_k252 = _float64(0.75)
-_k253 = _float64(4.547473508864641e-13)
-_k254 = _float64(11.0)
-_k255 = _float64(10.0)
-_k256 = _float64(9.0)
-_k257 = _scalar(512.0)
-_k258 = _float64(0.00390625)
-_k259 = _float64(512.0)
-_k260 = _float32(1.00048828125)
-_k261 = _float32(0.00048828125)
-_k262 = _float32(0.125)
-_k263 = _float32(1.4143014047294855)
-_k264 = _float32(0.25)
-_k265 = _float32(1.52587890625e-05)
-_k266 = _scalar(_float32(50.0))
-_k267 = _float32(2.220446049250313e-16)
-_k268 = _scalar(_float32(1.3322676295501878e-15))
-_k269 = _float32(8.881784197001252e-16)
-_k270 = _scalar(_float32(8.881784197001252e-16))
-_k271 = _float32(50.0)
-_k272 = _float32(1.3322676295501878e-15)
-_k273 = _float64(6.103515625e-05)
-_k274 = _float64(1.25)
-_k275 = _scalar(3.3306690738754696e-16)
-_k276 = _scalar(1.3335686721571705e-15)
-_k277 = _scalar(4.00390625)
-_k278 = _scalar(2.001953125)
-_k279 = _float64(5.55653613398821e-16)
-_k280 = _float64(2.001953125)
-_k281 = _float64(3.3306690738754696e-16)
-_k282 = _float64(1.3335686721571705e-15)
-_k283 = _float64(6.667843360785852e-15)
-_k284 = _float64(12.01171875)
-_k285 = _float64(4.00390625)
-_k286 = _float64(2.667137344314341e-15)
-_k287 = _float64(6.005859375)
-_k288 = _scalar(2.9802322387695312e-08)
-_k289 = _float64(5.551115123125783e-16)
-_k290 = _scalar(2.222614453595284e-16)
-_k291 = _float64(6.667843360785852e-16)
-_k292 = _float64(2.222614453595284e-16)
+_k45 = _float64(1099511627776.0)
+_k46 = _float64(65536.0)
+_k47 = _float64(1.5000014305114746)
+_k48 = _float64(16.0)
+_k49 = _scalar(2.0)
+_k50 = _scalar(7.888609052210118e-31)
+_k51 = _scalar(1.1102230246251565e-16)
+_k52 = _scalar(8.0)
+_k53 = _scalar(0.25)
+_k54 = _scalar(0.0625)
+_k55 = _scalar(0.125)
+_k56 = _float64(0.25)
+_k57 = _float64(7.888609052210118e-31)
+_k58 = _float64(1.1102230246251565e-16)
+_k59 = _float64(8.0)
+_k60 = _float64(0.125)
+_k61 = _float64(0.0625)
+_k62 = _scalar(2.220446049250313e-16)
+_k63 = _float64(2.220446049250313e-16)
+_k64 = _scalar(16.0)
+_k65 = _scalar(64.0)
+_k66 = _float64(64.0)
+_k67 = _float64(-1.0)
+_k68 = _float64(0.015625)
+_k69 = _float64(1073741824.0)
+_k70 = _float64(9.313225746154785e-10)
+_k71 = _float64(1.2676506002282294e+30)
+_k72 = _scalar(0.5)
+_k73 = _scalar(1.7763568394002505e-15)
+_k74 = _float64(4.0)
+_k75 = _float64(1.7763568394002505e-15)
+_k76 = _scalar(8.881784197001252e-16)
+_k77 = _float64(8.881784197001252e-16)
+_k78 = _scalar(-1.0)
+_k79 = _scalar(9.313225746154785e-10)
+_k80 = _scalar(1.0000000009313226)
+_k81 = _float64(1.0000000009313226)
+_k82 = _float64(2.9802322387695312e-08)
+_k83 = _float64(2.842170943040401e-14)
+_k84 = _float64(0.03125)
+_k85 = _float64(5.960464477539063e-08)
+_k86 = _scalar(1073741824.0)
+_k87 = _float64(3.0)
+_k88 = _scalar(0.3333333333333333)
+_k89 = _float64(0.3333333333333333)
+_k90 = _scalar(3.0)
+_k91 = _scalar(4.0)
+_k92 = _scalar(0.2)
+_k93 = _float64(0.2)
+_k94 = _scalar(5.0)
+_k95 = _scalar(0.16666666666666666)
+_k96 = _float64(5.0)
+_k97 = _float64(0.16666666666666666)
+_k98 = _scalar(0.14285714285714285)
+_k99 = _float64(0.14285714285714285)
+_k100 = _scalar(7.0)
+_k101 = _float64(7.0)
+_k102 = _scalar(0.1111111111111111)
+_k103 = _float64(0.1111111111111111)
+_k104 = _scalar(1.4210854715202004e-14)
+_k105 = _scalar(12.0)
+_k106 = _scalar(20.0)
+_k107 = _scalar(30.0)
+_k108 = _scalar(42.0)
+_k109 = _float64(1.4210854715202004e-14)
+_k110 = _float64(20.0)
+_k111 = _float64(30.0)
+_k112 = _float64(42.0)
+_k113 = _float64(7.275957614183426e-12)
+_k114 = _float64(1.1920928955078125e-07)
+_k115 = _scalar(9.5367431640625e-07)
+_k116 = _scalar(9.094947017729282e-13)
+_k117 = _scalar(0.9999990463256836)
+_k118 = _float64(9.094947017729282e-13)
+_k119 = _float64(0.9999990463256836)
+_k120 = _float64(3.637978807091713e-12)
+_k121 = _float64(1.4551915228366852e-11)
+_k122 = _scalar(5.684341886080802e-14)
+_k123 = _float64(5.684341886080802e-14)
+_k124 = _scalar(7.105427357601002e-15)
+_k125 = _float64(7.105427357601002e-15)
+_k126 = _float64(0.0078125)
+_k127 = _scalar(0.0078125)
+_k128 = _scalar(128.0)
+_k129 = _float64(128.0)
+_k130 = _float64(2.384185791015625e-07)
+_k131 = _scalar(5.960464477539063e-08)
+_k132 = _float64(-_inf)
+_k133 = _scalar(2.2737367544323206e-13)
+_k134 = _scalar(1.4551915228366852e-11)
+_k135 = _float64(3.725290298461914e-09)
+_k136 = _float64(2.2737367544323206e-13)
+_k137 = _scalar(_float32(7.62939453125e-06))
+_k138 = _scalar(_float32(1.02))
+_k139 = _scalar(_float32(100.0))
+_k140 = _scalar(_float32(1.0))
+_k141 = _scalar(_float32(4194304.0))
+_k142 = _float32(1.0)
+_k143 = _scalar(_float32(1.125))
+_k144 = _scalar(_float32(3.552713678800501e-15))
+_k145 = _scalar(_float32(5.0))
+_k146 = _scalar(_float32(9.5367431640625e-07))
+_k147 = _scalar(_float32(-1.0))
+_k148 = _float32(32.0)
+_k149 = _scalar(_float32(4.0))
+_k150 = _scalar(_float32(20.0))
+_k151 = _scalar(_float32(1.05))
+_k152 = _scalar(_float32(0.421875))
+_k153 = _scalar(_float32(0.578125))
+_k154 = _float32(1.02)
+_k155 = _float32(7.62939453125e-06)
+_k156 = _float32(100.0)
+_k157 = _float32(4194304.0)
+_k158 = _float32(1.125)
+_k159 = _float32(3.552713678800501e-15)
+_k160 = _float32(5.0)
+_k161 = _float32(9.5367431640625e-07)
+_k162 = _float32(-1.0)
+_k163 = _float32(20.0)
+_k164 = _float32(4.0)
+_k165 = _float32(1.05)
+_k166 = _float32(0.421875)
+_k167 = _float32(0.578125)
+_k168 = _scalar(_float32(1.5))
+_k169 = _float32(16.0)
+_k170 = _scalar(_float32(1.7763568394002505e-15))
+_k171 = _float32(3.5)
+_k172 = _float32(7.0)
+_k173 = _float32(1.5)
+_k174 = _float32(1.7763568394002505e-15)
+_k175 = _float64(1.00006103515625)
+_k176 = _float64(0.0001220703125)
+_k177 = _float64(0.000244140625)
+_k178 = _float64(5.820766091346741e-11)
+_k179 = _float64(6.0003662109375)
+_k180 = _scalar(2.409919865102884e-181)
+_k181 = _scalar(-_inf)
+_k182 = _float64(2.409919865102884e-181)
+_k183 = _scalar(3.552713678800501e-15)
+_k184 = _float64(1.3323489447131243e-15)
+_k185 = _float64(5.00030517578125)
+_k186 = _float64(3.552713678800501e-15)
+_k187 = _float32(1.00006103515625)
+_k188 = _scalar(_float32(4.76837158203125e-07))
+_k189 = _scalar(_float32(8.673617379884035e-19))
+_k190 = _scalar(_float32(-_inf))
+_k191 = _float32(0.0001220703125)
+_k192 = _scalar(_float32(1.000000238418579))
+_k193 = _float32(4096.0)
+_k194 = _float32(0.000244140625)
+_k195 = _scalar(_float32(4096.0))
+_k196 = _float32(4.76837158203125e-07)
+_k197 = _float32(8.673617379884035e-19)
+_k198 = _float32(-_inf)
+_k199 = _float32(1.000000238418579)
+_k200 = _scalar(_float32(0.00390625))
+_k201 = _scalar(_float32(2.9802322387695312e-08))
+_k202 = _scalar(_float32(2.842170943040401e-14))
+_k203 = _float32(6.0003662109375)
+_k204 = _scalar(_float32(0.5))
+_k205 = _float32(5.0048828125)
+_k206 = _scalar(_float32(5.684341886080802e-14))
+_k207 = _scalar(_float32(2.384185791015625e-07))
+_k208 = _float32(128.0)
+_k209 = _float32(2.842170943040401e-14)
+_k210 = _float32(0.00390625)
+_k211 = _float32(2.9802322387695312e-08)
+_k212 = _float32(5.684341886080802e-14)
+_k213 = _float32(2.384185791015625e-07)
+_k214 = _float32(6.0)
+_k215 = _scalar(_float32(8.0))
+_k216 = _scalar(_float32(0.0001220703125))
+_k217 = _scalar(_float32(3.814697265625e-06))
+_k218 = _scalar(_float32(3.0))
+_k219 = _scalar(_float32(0.000244140625))
+_k220 = _float32(8.0)
+_k221 = _float32(3.814697265625e-06)
+_k222 = _float32(3.0)
+_k223 = _float64(8.940696716308594e-08)
+_k224 = _scalar(0.1)
+_k225 = _scalar(0.09090909090909091)
+_k226 = _scalar(0.08333333333333333)
+_k227 = _scalar(2.48015873015873e-05)
+_k228 = _scalar(2.08767569878681e-09)
+_k229 = _scalar(2.755731922398589e-07)
+_k230 = _scalar(0.001388888888888889)
+_k231 = _scalar(0.041666666666666664)
+_k232 = _scalar(0.008333333333333333)
+_k233 = _scalar(2.7557319223985893e-06)
+_k234 = _scalar(2.505210838544172e-08)
+_k235 = _scalar(0.0001984126984126984)
+_k236 = _float64(0.041666666666666664)
+_k237 = _float64(2.48015873015873e-05)
+_k238 = _float64(2.08767569878681e-09)
+_k239 = _float64(0.1)
+_k240 = _float64(0.09090909090909091)
+_k241 = _float64(0.08333333333333333)
+_k242 = _float64(2.755731922398589e-07)
+_k243 = _float64(0.001388888888888889)
+_k244 = _float64(0.008333333333333333)
+_k245 = _float64(2.7557319223985893e-06)
+_k246 = _float64(2.505210838544172e-08)
+_k247 = _float64(0.0001984126984126984)
+_k248 = _scalar(4.547473508864641e-13)
+_k249 = _scalar(0.75)
+_k250 = _scalar(11.0)
+_k251 = _scalar(10.0)
+_k252 = _scalar(9.0)
+_k253 = _float64(0.75)
+_k254 = _float64(4.547473508864641e-13)
+_k255 = _float64(11.0)
+_k256 = _float64(10.0)
+_k257 = _float64(9.0)
+_k258 = _scalar(512.0)
+_k259 = _float64(0.00390625)
+_k260 = _float64(512.0)
+_k261 = _float32(1.00048828125)
+_k262 = _float32(0.00048828125)
+_k263 = _float32(0.125)
+_k264 = _float32(1.4143014047294855)
+_k265 = _float32(0.25)
+_k266 = _float32(1.52587890625e-05)
+_k267 = _scalar(_float32(50.0))
+_k268 = _float32(2.220446049250313e-16)
+_k269 = _scalar(_float32(1.3322676295501878e-15))
+_k270 = _float32(8.881784197001252e-16)
+_k271 = _scalar(_float32(8.881784197001252e-16))
+_k272 = _float32(50.0)
+_k273 = _float32(1.3322676295501878e-15)
+_k274 = _float64(6.103515625e-05)
+_k275 = _float64(1.25)
+_k276 = _scalar(3.3306690738754696e-16)
+_k277 = _scalar(1.3335686721571705e-15)
+_k278 = _scalar(4.00390625)
+_k279 = _scalar(2.001953125)
+_k280 = _float64(5.55653613398821e-16)
+_k281 = _float64(2.001953125)
+_k282 = _float64(3.3306690738754696e-16)
+_k283 = _float64(1.3335686721571705e-15)
+_k284 = _float64(6.667843360785852e-15)
+_k285 = _float64(12.01171875)
+_k286 = _float64(4.00390625)
+_k287 = _float64(2.667137344314341e-15)
+_k288 = _float64(6.005859375)
+_k289 = _scalar(2.9802322387695312e-08)
+_k290 = _float64(5.551115123125783e-16)
+_k291 = _scalar(2.222614453595284e-16)
+_k292 = _float64(6.667843360785852e-16)
+_k293 = _float64(2.222614453595284e-16)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -1203,7 +1204,7 @@ def clock_bound_sum(delay: Any, clock_bound: Any) -> tuple[Any, ...]:
 def premises(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, contacts: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, p_end_depth: Any, p_ring_restitution: Any, p_backboard_restitution: Any, p_bridge_restitution: Any, p_inertia: Any) -> tuple[Any, ...]:
     """Whether a shot released in flight fulfils the premises of the proved bounds.
 
-    conservation of energy. 163 operations: 46 additions, 8 subtractions, 32 multiplications, 2 divisions, 2 square roots, 5 negations, 17 absolute values, 26 comparisons, 11 conjunctions, 9 disjunctions, 5 selections.
+    conservation of energy. 166 operations: 46 additions, 8 subtractions, 33 multiplications, 2 divisions, 2 square roots, 5 negations, 17 absolute values, 27 comparisons, 12 conjunctions, 9 disjunctions, 5 selections.
     """
     _s0 = vz * vz
     _s1 = ((((vx * vx) + (vy * vy)) + _s0) + (((p_ball_radius * p_ball_radius) * p_inertia) * (((wx * wx) + (wy * wy)) + (wz * wz)))) / p_gravity
@@ -1212,8 +1213,8 @@ def premises(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any
     _s4 = -p_end_depth
     _s5 = (((_s3 + _absolute(x)) + _absolute(y)) + _absolute(z)) + _absolute(_s4)
     _s6 = _s1 + (2.0 * _s5)
-    _s7 = (1.0000009536743164 * (((12.0 + (2.0 * contacts)) * _s6) + _s5)) <= ((65536.0 * p_ball_radius) + (65536.0 * p_wire_radius))
-    _s8 = _logical_and(_logical_and(_logical_and(_logical_and(_logical_and((p_ring_restitution <= 1.0), (p_backboard_restitution <= 1.0)), (p_bridge_restitution <= 1.0)), _s7), (((1.5000014305114746 * p_ball_radius) + (1.5000014305114746 * p_wire_radius)) <= p_ring_radius)), ((1.0000009536743164 * p_ring_radius) <= ((16.0 * p_ball_radius) + (16.0 * p_wire_radius))))
+    _s7 = 1.0000009536743164 * (((12.0 + (2.0 * contacts)) * _s6) + _s5)
+    _s8 = _logical_and(_logical_and(_logical_and(_logical_and(_logical_and((p_ring_restitution <= 1.0), (p_backboard_restitution <= 1.0)), (p_bridge_restitution <= 1.0)), (_s7 <= (1099511627776.0 * p_ball_radius))), (_s7 <= ((65536.0 * p_ball_radius) + (65536.0 * p_wire_radius)))), (((1.5000014305114746 * p_ball_radius) + (1.5000014305114746 * p_wire_radius)) <= p_ring_radius))
     _s9 = _s0 - ((2.0 * p_gravity) * (_s4 - z))
     _s10 = 9.5367431640625e-07 * (_s6 + _s5)
     _s11 = (vz - _sqrt(_where(_s9 < 0.0, 0.0, _s9))) / p_gravity
@@ -1232,7 +1233,7 @@ def premises(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any
     _s24 = _logical_and(_logical_and(_s14, ((((p_ball_radius + p_ring_radius) + p_wire_radius) + _s10) < _sqrt(((_s12 * _s12) + (_s13 * _s13))))), _logical_or(_s22, (_s23 < (-_s20))))
     _s25 = (p_ball_radius + p_bridge_half_width) + _s10
     _s26 = _logical_or(_logical_or(_logical_or((_s15 <= ((p_wire_radius - p_ball_radius) - p_bridge_depth)), ((_s16 - p_ring_radius) < _s17)), (_s18 < (-(_s19 + _s10)))), (_s25 < _s21))
-    _s27 = _logical_and(_s8, _logical_or(((_s4 + (9.5367431640625e-07 * _s5)) <= z), _logical_and(_s24, _logical_or(_s26, (_s23 < (-_s25))))))
+    _s27 = _logical_and(_logical_and(_s8, ((1.0000009536743164 * p_ring_radius) <= ((16.0 * p_ball_radius) + (16.0 * p_wire_radius)))), _logical_or(((_s4 + (9.5367431640625e-07 * _s5)) <= z), _logical_and(_s24, _logical_or(_s26, (_s23 < (-_s25))))))
     return _s27,
 
 
@@ -1254,20 +1255,20 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     _s9 = _absolute(y, _r9)
     _s10 = _absolute(z, _r10)
     _s11 = _add(_k39, _multiply(curving, _add(_add(_s8, _s9, _r11), _s10, _r11), _r11), _r11)
-    _s12 = _multiply(_k48, t, _r12)
+    _s12 = _multiply(_k49, t, _r12)
     _s13 = _multiply(_s12, _s0, _r13)
-    _s14 = _add(_k49, _multiply(_k50, _add(_s13, _s8, _r8), _r8), _r8)
+    _s14 = _add(_k50, _multiply(_k51, _add(_s13, _s8, _r8), _r8), _r8)
     _s15 = curving < _k5
     _s16 = _select(_s15, _multiply(_k14, _multiply(_s13, _s11, _r13), _r13), _s14, _r14)
     _s17 = _s7 < _k4
     _s18 = _add(dy, _multiply(dvy, t, _r15), _r15)
     _s19 = _multiply(_s12, _s1, _r16)
-    _s20 = _add(_k49, _multiply(_k50, _add(_s19, _s9, _r9), _r9), _r9)
+    _s20 = _add(_k50, _multiply(_k51, _add(_s19, _s9, _r9), _r9), _r9)
     _s21 = _select(_s15, _multiply(_k14, _multiply(_s19, _s11, _r16), _r16), _s20, _r17)
     _s22 = _s18 < _k4
     _s23 = _add(dz, _multiply(dvz, t, _r18), _r18)
     _s24 = _add(_multiply(p_gravity, _multiply(t, t, _r19), _r19), _multiply(_s12, _s3, _r12), _r12)
-    _s25 = _add(_k49, _multiply(_k50, _add(_s24, _s10, _r10), _r10), _r10)
+    _s25 = _add(_k50, _multiply(_k51, _add(_s24, _s10, _r10), _r10), _r10)
     _s26 = _select(_s15, _multiply(_k14, _multiply(_s24, _s11, _r12), _r12), _s25, _r11)
     _s27 = _s23 < _k4
     _s28 = _add(_add(_multiply(nx, _add(_s7, _select(_s17, _negative(_s16, _r19), _s16, _r20), _r20), _r20), _multiply(ny, _add(_s18, _select(_s22, _negative(_s21, _r19), _s21, _r21), _r21), _r21), _r21), _multiply(nz, _add(_s23, _select(_s27, _negative(_s26, _r20), _s26, _r19), _r19), _r19), _r19)
@@ -1289,10 +1290,10 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     _s44 = _select(_s14 < _s20, _s20, _s14, _r29)
     _s45 = _add(_add(_s42, _select(_s44 < _s25, _s25, _s44, _r28), _r28), _s37, _r28)
     _s46 = _add(_multiply(_multiply(_absolute(_s29, _r21), _s4, _r21), _add(_multiply(_s37, _s6, _r26), _add(_s42, _select(_s43 < _s26, _s26, _s43, _r25), _r25), _r25), _r25), _s45, _r25)
-    _s47 = _divide(_k39, _add(_k51, _multiply(_k51, contacts, _r21), _r21), _r21)
+    _s47 = _divide(_k39, _add(_k52, _multiply(_k52, contacts, _r21), _r21), _r21)
     _s48 = _multiply(_s46, _s47, _r26)
     _s49 = _select(_s32 < _s48, _s48, _s32, _r30)
-    _s50 = _s6 < _k52
+    _s50 = _s6 < _k53
     _s51 = _add(_multiply(vy, _s30, _r6), _add(_s18, _select(_s22, _negative(_s20, _r5), _s20, _r31), _r31), _r31)
     _s52 = _absolute(_s51, _r6)
     _s53 = _select(_s52 < _s48, _s48, _s52, _r5)
@@ -1300,8 +1301,8 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     _s55 = _absolute(_s54, _r9)
     _s56 = _select(_s55 < _s48, _s48, _s55, _r15)
     _s57 = _absolute(_s30, _r10)
-    _s58 = _multiply(_k53, earliest_delay, _r18)
-    return _result(_s50, _s31, _select(_s31 < _k4, _negative(_s49, _r12), _s49, _r17), _r0), _result(_s50, _s51, _select(_s51 < _k4, _negative(_s53, _r17), _s53, _r12), _r0), _result(_s50, _s54, _select(_s54 < _k4, _negative(_s56, _r12), _s56, _r17), _r0), _result(_s50, _k54, _s47, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s30, _r20), _multiply(_k14, _add(t, clock, _r20), _r20) + _select(_s57 < _s58, _s58, _s57, _r21), _result(_s50, _s45, _s46, _r0)
+    _s58 = _multiply(_k54, earliest_delay, _r18)
+    return _result(_s50, _s31, _select(_s31 < _k4, _negative(_s49, _r12), _s49, _r17), _r0), _result(_s50, _s51, _select(_s51 < _k4, _negative(_s53, _r17), _s53, _r12), _r0), _result(_s50, _s54, _select(_s54 < _k4, _negative(_s56, _r12), _s56, _r17), _r0), _result(_s50, _k55, _s47, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s30, _r20), _multiply(_k14, _add(t, clock, _r20), _r20) + _select(_s57 < _s58, _s58, _s57, _r21), _result(_s50, _s45, _s46, _r0)
 
 
 def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: Any, clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1316,20 +1317,20 @@ def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock:
     _s3 = _absolute(dvy, _r3)
     _s4 = _select(_s2 < _s3, _s3, _s2, _r4)
     _s5 = _absolute(dvz, _r5)
-    _s6 = _multiply(_k48, t, _r6)
-    _s7 = _add(_k49, _multiply(_k50, _add(_multiply(_s6, _s0, _r7), _absolute(x, _r8), _r8), _r8), _r8)
+    _s6 = _multiply(_k49, t, _r6)
+    _s7 = _add(_k50, _multiply(_k51, _add(_multiply(_s6, _s0, _r7), _absolute(x, _r8), _r8), _r8), _r8)
     _s8 = _absolute(vy, _r7)
-    _s9 = _add(_k49, _multiply(_k50, _add(_multiply(_s6, _s8, _r9), _absolute(y, _r10), _r10), _r10), _r10)
+    _s9 = _add(_k50, _multiply(_k51, _add(_multiply(_s6, _s8, _r9), _absolute(y, _r10), _r10), _r10), _r10)
     _s10 = _select(_s7 < _s9, _s9, _s7, _r9)
     _s11 = _absolute(vz, _r11)
-    _s12 = _add(_k49, _multiply(_k50, _add(_add(_multiply(p_gravity, _multiply(t, t, _r12), _r12), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r12), _r12), _r12), _r12)
+    _s12 = _add(_k50, _multiply(_k51, _add(_add(_multiply(p_gravity, _multiply(t, t, _r12), _r12), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r12), _r12), _r12), _r12)
     _s13 = _absolute(dx, _r6)
     _s14 = _absolute(dy, _r13)
     _s15 = _select(_s13 < _s14, _s14, _s13, _r14)
     _s16 = _absolute(dz, _r15)
     _s17 = _add(_add(_multiply(t, _select(_s4 < _s5, _s5, _s4, _r16), _r16), _select(_s10 < _s12, _s12, _s10, _r4), _r4), _select(_s15 < _s16, _s16, _s15, _r12), _r12)
     _s18 = _absolute(0.0)
-    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _multiply(_k61, _s0, _r0), _r0) + _s2, _add(_s18, _multiply(_k61, _s8, _r7), _r7) + _s3, _add(_multiply(_k61, _s11, _r11), _s5, _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), 0.0
+    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _multiply(_k62, _s0, _r0), _r0) + _s2, _add(_s18, _multiply(_k62, _s8, _r7), _r7) + _s3, _add(_multiply(_k62, _s11, _r11), _s5, _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), 0.0
 
 
 def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any, estimated: Any, clock_bound: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1351,7 +1352,7 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     _s10 = _absolute(dwy, _r9)
     _s11 = _select(_s9 < _s10, _s10, _s9, _r10)
     _s12 = _absolute(dwz, _r11)
-    return _result(_s4, _multiply(_k63, _select(_s2 < _s3, _s3, _s2, _r12), _r12), position_bound, _r0), _result(_s4, _multiply(_k63, _select(_s7 < _s8, _s8, _s7, _r12), _r12), velocity_bound, _r0), _result(_s4, _multiply(_k63, _select(_s11 < _s12, _s12, _s11, _r12), _r12), spin_bound, _r0), _result(_s4, _multiply(_k63, clock_error, _r12), clock_bound, _r0)
+    return _result(_s4, _multiply(_k64, _select(_s2 < _s3, _s3, _s2, _r12), _r12), position_bound, _r0), _result(_s4, _multiply(_k64, _select(_s7 < _s8, _s8, _s7, _r12), _r12), velocity_bound, _r0), _result(_s4, _multiply(_k64, _select(_s11 < _s12, _s12, _s11, _r12), _r12), spin_bound, _r0), _result(_s4, _multiply(_k64, clock_error, _r12), clock_bound, _r0)
 
 
 def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, position_bound: Any, velocity_bound: Any, spin_bound: Any, estimated: Any, clock_bound: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1373,7 +1374,7 @@ def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: A
     _s10 = _absolute(dwy, _r9)
     _s11 = _select(_s9 < _s10, _s10, _s9, _r10)
     _s12 = _absolute(dwz, _r11)
-    return _result(_s4, _multiply(_k64, _select(_s2 < _s3, _s3, _s2, _r12), _r12), position_bound, _r0), _result(_s4, _multiply(_k64, _select(_s7 < _s8, _s8, _s7, _r12), _r12), velocity_bound, _r0), _result(_s4, _multiply(_k64, _select(_s11 < _s12, _s12, _s11, _r12), _r12), spin_bound, _r0), _result(_s4, _multiply(_k64, clock_error, _r12), clock_bound, _r0)
+    return _result(_s4, _multiply(_k65, _select(_s2 < _s3, _s3, _s2, _r12), _r12), position_bound, _r0), _result(_s4, _multiply(_k65, _select(_s7 < _s8, _s8, _s7, _r12), _r12), velocity_bound, _r0), _result(_s4, _multiply(_k65, _select(_s11 < _s12, _s12, _s11, _r12), _r12), spin_bound, _r0), _result(_s4, _multiply(_k65, clock_error, _r12), clock_bound, _r0)
 
 
 def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, p_end_depth: Any, p_ring_restitution: Any, p_backboard_restitution: Any, p_bridge_restitution: Any, p_ring_friction: Any, p_backboard_friction: Any, p_bridge_friction: Any, p_inertia: Any, p_tangential_restitution: Any, p_restitution_speed: Any) -> tuple[Any, ...]:
@@ -1414,7 +1415,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s0 = _subtract(_sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1), p_ring_radius, _r1)
     _s1 = p_ball_radius + p_wire_radius
     _s2 = _subtract(_add(_multiply(z, z, _r0), _multiply(_s0, _s0, _r1), _r1), _s1 * _s1, _r1)
-    _s3 = _absolute(last, _r0) < _k71
+    _s3 = _absolute(last, _r0) < _k72
     _s4 = _select(_s3, _k39, _select(_k4 <= _s2, _k39, _k4, _r0), _r2)
     _s5 = _subtract(z, p_board_top, _r3)
     _s6 = _subtract(p_board_bottom, z, _r4)
@@ -1426,7 +1427,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s12 = _negative(_add(p_board_half_width, y, _r3), _r3)
     _s13 = _subtract(_select(_s11 < _k4, _k4, _s11, _r8), _select(_s12 < _k4, _k4, _s12, _r9), _r9)
     _s14 = _subtract(_sqrt(_add(_add(_multiply(_s7, _s7, _r6), _multiply(_s10, _s10, _r7), _r7), _multiply(_s13, _s13, _r9), _r9), _r9), p_ball_radius, _r9)
-    _s15 = _absolute(_subtract(last, _k39, _r7), _r7) < _k71
+    _s15 = _absolute(_subtract(last, _k39, _r7), _r7) < _k72
     _s16 = _select(_s15, _s4, _select(_k4 <= _s14, _s4, _k4, _r7), _r6)
     _s17 = _add(p_ring_radius, x, _r3)
     _s18 = _negative(_s8, _r4)
@@ -1438,10 +1439,10 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s24 = _negative(_add(p_bridge_half_width, y, _r3), _r3)
     _s25 = _subtract(_select(_s23 < _k4, _k4, _s23, _r4), _select(_s24 < _k4, _k4, _s24, _r11), _r11)
     _s26 = _subtract(_sqrt(_add(_add(_multiply(_s19, _s19, _r5), _multiply(_s22, _s22, _r10), _r10), _multiply(_s25, _s25, _r11), _r11), _r11), p_ball_radius, _r11)
-    _s27 = _absolute(_subtract(last, _k48, _r10), _r10) < _k71
+    _s27 = _absolute(_subtract(last, _k49, _r10), _r10) < _k72
     _s28 = ((((_absolute(p_board_bottom) + _absolute(p_board_top)) + _absolute(p_ball_radius)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(p_board_distance)
     _s29 = ((((_s28 + _absolute(p_board_half_width)) + _absolute(p_board_thickness)) + _absolute(p_bridge_half_width)) + _absolute(p_bridge_depth)) + _absolute(p_end_depth)
-    _s30 = _multiply(_k72, _add(_add(_add(_s29, _absolute(x, _r10), _r10), _absolute(y, _r5), _r5), _absolute(z, _r10), _r10), _r10)
+    _s30 = _multiply(_k73, _add(_add(_add(_s29, _absolute(x, _r10), _r10), _absolute(y, _r5), _r5), _absolute(z, _r10), _r10), _r10)
     _s31 = _select(_s3, _k4, _select(_absolute(_s2, _r1) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s30, _r5), _k39, _k4, _r5), _r1)
     _s32 = _select(_s15, _s31, _select(_absolute(_s14, _r9) <= _s30, _k39, _s31, _r9), _r3)
     return _result(_s27, _s16, _select(_k4 <= _s26, _s16, _k4, _r4), _r0), _result(_s27, _s32, _select(_absolute(_s26, _r11) <= _s30, _k39, _s32, _r11), _r0)
@@ -1456,7 +1457,7 @@ def aside(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire
     _s0 = ((((_absolute(p_board_bottom) + _absolute(p_board_top)) + _absolute(p_ball_radius)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(p_board_distance)
     _s1 = ((((_s0 + _absolute(p_board_half_width)) + _absolute(p_board_thickness)) + _absolute(p_bridge_half_width)) + _absolute(p_bridge_depth)) + _absolute(p_end_depth)
     _s2 = _absolute(x, _r0)
-    _s3 = _multiply(_k51, _multiply(_k72, _add(_add(_add(_s1, _s2, _r1), _absolute(y, _r2), _r2), _absolute(z, _r1), _r1), _r1), _r1)
+    _s3 = _multiply(_k52, _multiply(_k73, _add(_add(_add(_s1, _s2, _r1), _absolute(y, _r2), _r2), _absolute(z, _r1), _r1), _r1), _r1)
     _s4 = 0.5 * p_board_thickness
     _s5 = _s3 < _subtract(_absolute(_subtract(x, -(p_board_distance + _s4), _r2), _r2), p_ball_radius + _s4, _r2)
     _s6 = 0.5 * p_ring_radius
@@ -1491,7 +1492,7 @@ def passing_start(last: Any, outcome: Any, uncertain: Any, x: Any, y: Any, z: An
     _s0 = _logical_and(_logical_and((_k4 <= last), (z < _k4)), ((-p_end_depth) <= z))
     _s1 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
     _s2 = p_ring_radius * p_ring_radius
-    _s3 = _result(_logical_and(_logical_and(_s0, (_absolute(_subtract(_s1, _s2, _r0), _r0) <= _multiply(_k75, _add(_s2, _s1, _r2), _r2))), (outcome < _k4)), _k39, uncertain, _r0)
+    _s3 = _result(_logical_and(_logical_and(_s0, (_absolute(_subtract(_s1, _s2, _r0), _r0) <= _multiply(_k76, _add(_s2, _s1, _r2), _r2))), (outcome < _k4)), _k39, uncertain, _r0)
     return _result(_logical_and(_s0, (_s1 < _s2)), _k39, _k4, _r0), _s3
 
 
@@ -1519,7 +1520,7 @@ def passing(through: Any, t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: 
     _s15 = _select(_s14 < t, _s14, t, _r2)
     _s16 = _add(x, _multiply(vx, _s15, _r6), _r6)
     _s17 = _add(y, _multiply(vy, _s15, _r2), _r2)
-    _s18 = _select(_logical_and(_logical_or(_s4, _logical_and(_s0, (_k4 <= _s1))), (_add(_multiply(_s16, _s16, _r6), _multiply(_s17, _s17, _r2), _r2) < _s12)), _select(through == _k39, _k4, _k77, _r2), through, _r6)
+    _s18 = _select(_logical_and(_logical_or(_s4, _logical_and(_s0, (_k4 <= _s1))), (_add(_multiply(_s16, _s16, _r6), _multiply(_s17, _s17, _r2), _r2) < _s12)), _select(through == _k39, _k4, _k78, _r2), through, _r6)
     _s19 = _result(_logical_and(_logical_and(_logical_or(_s4, _logical_and(_s2, (_k4 <= z))), (_add(_multiply(_s10, _s10, _r5), _multiply(_s11, _s11, _r4), _r4) < _s12)), (_s18 == _k4)), _k39, _s18, _r0)
     return _s19,
 
@@ -1536,7 +1537,7 @@ def passing_undecided(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s3 = _multiply(p_gravity, t, _r2)
     _s4 = _add(speed, _s3, _r3)
     _s5 = _multiply(_k12, _add(_add(position_error, _multiply(t, velocity_error, _r4), _r4), _multiply(_k14, _add(extent, _multiply(t, _s4, _r5), _r5), _r5), _r5), _r5)
-    _s6 = _add(_multiply(_k75, _multiply(_s1, _s2, _r4), _r4), _s5, _r4)
+    _s6 = _add(_multiply(_k76, _multiply(_s1, _s2, _r4), _r4), _s5, _r4)
     _s7 = z < _k4
     _s8 = _s0 < _k4
     _s9 = _logical_and(_logical_and(_s7, _s8), (_k4 < vz))
@@ -1554,7 +1555,7 @@ def passing_undecided(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s21 = _add(x, _multiply(vx, _s20, _r7), _r7)
     _s22 = _add(y, _multiply(vy, _s20, _r8), _r8)
     _s23 = _sqrt(_add(_multiply(_s21, _s21, _r7), _multiply(_s22, _s22, _r8), _r8), _r8)
-    _s24 = _multiply(_multiply(_k12, _s4, _r3), _add(_sqrt(_multiply(8.0 * _s2, _s6, _r7), _r7), _multiply(_k75, _add(t, _multiply(_absolute(vz, _r10), _s2, _r10), _r10), _r10), _r10), _r3)
+    _s24 = _multiply(_multiply(_k12, _s4, _r3), _add(_sqrt(_multiply(8.0 * _s2, _s6, _r7), _r7), _multiply(_k76, _add(t, _multiply(_absolute(vz, _r10), _s2, _r10), _r10), _r10), _r10), _r3)
     _s25 = _add(_s24, _s5, _r3)
     _s26 = _logical_and(_logical_or(_logical_or(_logical_and((_k4 < position_error), (_absolute(z, _r5) <= position_error)), (_absolute(_s0, _r5) <= _s6)), _logical_and(_s9, (_absolute(_s10, _r5) <= _multiply(4.0 * p_gravity, _s6, _r4)))), (_select(_s17 < _s23, _s17, _s23, _r4) <= _add(p_ring_radius, _s25, _r5)))
     _s27 = _logical_and(_logical_and(_s9, (_k4 < _s10)), (vz < _s3))
@@ -1586,22 +1587,22 @@ def half_flight_boxes(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     Eq. 3, the chords of both and what it is off them. 62 operations: 21 additions, 5 subtractions, 27 multiplications, 1 negation, 6 absolute values, 1 comparison, 1 selection.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
-    _s0 = _multiply(_k71, horizon, _r0)
+    _s0 = _multiply(_k72, horizon, _r0)
     _s1 = _multiply(vx, _s0, _r1)
-    _s2 = _multiply(_k71, _s1, _r2)
+    _s2 = _multiply(_k72, _s1, _r2)
     _s3 = _absolute(0.0)
-    _s4 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k78, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s4 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k79, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r4), _r4), _r4), _r4), _r4), _r4)
     _s5 = _select(pad < earliest_delay, _k5, _s4, _r3)
-    _s6 = _k79 * _add(_add(_s3, _multiply(_k71, _absolute(_s1, _r5), _r5), _r5), _s5, _r5)
+    _s6 = _k80 * _add(_add(_s3, _multiply(_k72, _absolute(_s1, _r5), _r5), _r5), _s5, _r5)
     _s7 = _multiply(vy, _s0, _r5)
-    _s8 = _multiply(_k71, _s7, _r6)
-    _s9 = _k79 * _add(_add(_s3, _multiply(_k71, _absolute(_s7, _r7), _r7), _r7), _s5, _r7)
+    _s8 = _multiply(_k72, _s7, _r6)
+    _s9 = _k80 * _add(_add(_s3, _multiply(_k72, _absolute(_s7, _r7), _r7), _r7), _s5, _r7)
     _s10 = _multiply(0.5 * p_gravity, _s0, _r7)
     _s11 = _multiply(_s0, _subtract(vz, _s10, _r8), _r8)
     _s12 = _negative(_multiply(0.0625 * p_gravity, _multiply(_s0, _s0, _r9), _r9), _r9)
     _s13 = _absolute(_s12, _r10)
     _s14 = _multiply(_s0, _subtract(_subtract(vz, _multiply(p_gravity, _s0, _r11), _r11), _s10, _r11), _r11)
-    return x + _s2, _s6, _s2 + _add(x, _s1, _r1), _s6, y + _s8, _s9, _s8 + _add(y, _s7, _r5), _s9, _add(z, _multiply(_k71, _s11, _r5), _r5) - _s12, _k79 * _add(_add(_s13, _multiply(_k71, _absolute(_s11, _r5), _r5), _r5), _s5, _r5), _add(_multiply(_k71, _s14, _r5), _add(z, _s11, _r8), _r8) - _s12, _k79 * _add(_add(_s13, _multiply(_k71, _absolute(_s14, _r11), _r11), _r11), _s5, _r11)
+    return x + _s2, _s6, _s2 + _add(x, _s1, _r1), _s6, y + _s8, _s9, _s8 + _add(y, _s7, _r5), _s9, _add(z, _multiply(_k72, _s11, _r5), _r5) - _s12, _k80 * _add(_add(_s13, _multiply(_k72, _absolute(_s11, _r5), _r5), _r5), _s5, _r5), _add(_multiply(_k72, _s14, _r5), _add(z, _s11, _r8), _r8) - _s12, _k80 * _add(_add(_s13, _multiply(_k72, _absolute(_s14, _r11), _r11), _r11), _s5, _r11)
 
 
 def other_kind() -> tuple[Any, ...]:
@@ -1670,7 +1671,7 @@ def tie_undecided(time: Any, when: Any, delay: Any, earliest_delay: Any, undecid
     _s0 = _add(delay, earliest_delay, _r0)
     _s1 = time < when
     _s2 = _select(_s1, time, when, _r1)
-    _s3 = _multiply(_k71, _s2, _r2)
+    _s3 = _multiply(_k72, _s2, _r2)
     _s4 = _subtract(_s2, _select(_s3 < _s0, _s3, _s0, _r3), _r3)
     _s5 = _result(_logical_and(_logical_and(arrives, (_absolute(_subtract(time, when, _r2), _r2) <= _s0)), (_s4 < undecided_time)), _s4, undecided_time, _r0)
     return _s5, _result(_logical_and(arrives, _s1), delay, earliest_delay, _r0)
@@ -1873,8 +1874,8 @@ def state_in_range(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, w
     Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions.
     """
     _r0, = _room[:1]
-    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) <= _k85), (_absolute(y, _r0) <= _k85)), (_absolute(z, _r0) <= _k85)), (_absolute(vx, _r0) <= _k85)), (_absolute(vy, _r0) <= _k85))
-    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) <= _k85)), (_absolute(wx, _r0) <= _k85)), (_absolute(wy, _r0) <= _k85)), (_absolute(wz, _r0) <= _k85))
+    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) <= _k86), (_absolute(y, _r0) <= _k86)), (_absolute(z, _r0) <= _k86)), (_absolute(vx, _r0) <= _k86)), (_absolute(vy, _r0) <= _k86))
+    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) <= _k86)), (_absolute(wx, _r0) <= _k86)), (_absolute(wy, _r0) <= _k86)), (_absolute(wz, _r0) <= _k86))
     return _s1,
 
 
@@ -2140,8 +2141,8 @@ def roll_1(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1
     _s9 = _multiply(nx_1, ny_1, _r4)
     _s10 = _add(_multiply(nx_0, _s2, _r3), _s9, _r3) - _add(_s9, _multiply(ny_0, _s1, _r6), _r6)
     _s11 = p_inertia * _s0
-    _s12 = -_multiply(_k71, _add(_add(_add(_multiply(vx_0, _s6, _r6), _multiply(vx_1, tx_0, _r3), _r3), _add(_multiply(vy_0, _s8, _r6), _multiply(vy_1, ty_0, _r4), _r4), _r4), _add(_multiply(vz_0, _s10, _r3), _multiply(vz_1, tz_0, _r6), _r6), _r6), _r6)
-    return _s4, _s6, _s8, _s10, _k71 * _add(_multiply(_s11, _add(_multiply(turn_rate_0, _s6, _r6), _multiply(turn_rate_1, tx_0, _r4), _r4), _r4), _add(_multiply(nx_0, _s4, _r6), _multiply(nx_1, lift_0, _r3), _r3), _r3), _k71 * _add(_multiply(_s11, _add(_multiply(turn_rate_0, _s8, _r3), _multiply(turn_rate_1, ty_0, _r4), _r4), _r4), _add(_multiply(ny_0, _s4, _r3), _multiply(ny_1, lift_0, _r6), _r6), _r6), _k71 * _add(_multiply(_s11, _add(_multiply(turn_rate_0, _s10, _r6), _multiply(turn_rate_1, tz_0, _r4), _r4), _r4), _add(_multiply(nz_0, _s4, _r6), _multiply(nz_1, lift_0, _r3), _r3), _r3), _k71 * _s1, _k71 * _s2, _k71 * _s3, _s12
+    _s12 = -_multiply(_k72, _add(_add(_add(_multiply(vx_0, _s6, _r6), _multiply(vx_1, tx_0, _r3), _r3), _add(_multiply(vy_0, _s8, _r6), _multiply(vy_1, ty_0, _r4), _r4), _r4), _add(_multiply(vz_0, _s10, _r3), _multiply(vz_1, tz_0, _r6), _r6), _r6), _r6)
+    return _s4, _s6, _s8, _s10, _k72 * _add(_multiply(_s11, _add(_multiply(turn_rate_0, _s6, _r6), _multiply(turn_rate_1, tx_0, _r4), _r4), _r4), _add(_multiply(nx_0, _s4, _r6), _multiply(nx_1, lift_0, _r3), _r3), _r3), _k72 * _add(_multiply(_s11, _add(_multiply(turn_rate_0, _s8, _r3), _multiply(turn_rate_1, ty_0, _r4), _r4), _r4), _add(_multiply(ny_0, _s4, _r3), _multiply(ny_1, lift_0, _r6), _r6), _r6), _k72 * _add(_multiply(_s11, _add(_multiply(turn_rate_0, _s10, _r6), _multiply(turn_rate_1, tz_0, _r4), _r4), _r4), _add(_multiply(nz_0, _s4, _r6), _multiply(nz_1, lift_0, _r3), _r3), _r3), _k72 * _s1, _k72 * _s2, _k72 * _s3, _s12
 
 
 def roll_2(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, ny_0: Any, ny_1: Any, ny_2: Any, nz_0: Any, nz_1: Any, nz_2: Any, vx_0: Any, vx_1: Any, vx_2: Any, vy_0: Any, vy_1: Any, vy_2: Any, vz_0: Any, vz_1: Any, vz_2: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, lift_0: Any, lift_1: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2151,22 +2152,22 @@ def roll_2(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, ny_0
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
     _s0 = 1.0 / (1.0 + p_inertia)
-    _s1 = _multiply(_k48, nx_2, _r0)
+    _s1 = _multiply(_k49, nx_2, _r0)
     _s2 = _multiply(_multiply(vx_2, bent_x, _r1), per_reach, _r1)
-    _s3 = _multiply(_k48, ny_2, _r2)
+    _s3 = _multiply(_k49, ny_2, _r2)
     _s4 = _multiply(_multiply(vy_2, bent_y, _r3), per_reach, _r3)
     _s5 = _multiply(_multiply(vz_2, bent_z, _r4), per_reach, _r4)
-    _s6 = _multiply(_multiply(p_gravity, nz_2, _r5), _s0, _r5) - _add(_add(_add(_add(_multiply(nx_1, vx_2, _r6), _multiply(_s1, vx_1, _r7), _r7), _multiply(vx_0, _s2, _r6), _r6), _add(_add(_multiply(ny_1, vy_2, _r7), _multiply(_s3, vy_1, _r8), _r8), _multiply(vy_0, _s4, _r7), _r7), _r7), _add(_add(_multiply(nz_1, vz_2, _r6), _multiply(_multiply(_k48, nz_2, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s5, _r6), _r6), _r6)
-    _s7 = _add(_add(_multiply(ny_0, _s5, _r6), _multiply(_multiply(_k48, ny_1, _r5), nz_2, _r5), _r5), _multiply(ny_2, nz_1, _r6), _r6) - _add(_add(_multiply(ny_1, nz_2, _r5), _multiply(_s3, nz_1, _r2), _r2), _multiply(nz_0, _s4, _r5), _r5)
-    _s8 = _multiply(_k48, nx_1, _r5)
+    _s6 = _multiply(_multiply(p_gravity, nz_2, _r5), _s0, _r5) - _add(_add(_add(_add(_multiply(nx_1, vx_2, _r6), _multiply(_s1, vx_1, _r7), _r7), _multiply(vx_0, _s2, _r6), _r6), _add(_add(_multiply(ny_1, vy_2, _r7), _multiply(_s3, vy_1, _r8), _r8), _multiply(vy_0, _s4, _r7), _r7), _r7), _add(_add(_multiply(nz_1, vz_2, _r6), _multiply(_multiply(_k49, nz_2, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s5, _r6), _r6), _r6)
+    _s7 = _add(_add(_multiply(ny_0, _s5, _r6), _multiply(_multiply(_k49, ny_1, _r5), nz_2, _r5), _r5), _multiply(ny_2, nz_1, _r6), _r6) - _add(_add(_multiply(ny_1, nz_2, _r5), _multiply(_s3, nz_1, _r2), _r2), _multiply(nz_0, _s4, _r5), _r5)
+    _s8 = _multiply(_k49, nx_1, _r5)
     _s9 = _add(_add(_multiply(nx_1, nz_2, _r6), _multiply(_s1, nz_1, _r2), _r2), _multiply(nz_0, _s2, _r6), _r6) - _add(_add(_multiply(nx_0, _s5, _r2), _multiply(_s8, nz_2, _r7), _r7), _multiply(nx_2, nz_1, _r2), _r2)
     _s10 = _add(_add(_multiply(nx_0, _s4, _r2), _multiply(_s8, ny_2, _r5), _r5), _multiply(nx_2, ny_1, _r2), _r2) - _add(_add(_multiply(nx_1, ny_2, _r5), _multiply(_s1, ny_1, _r0), _r0), _multiply(ny_0, _s2, _r5), _r5)
     _s11 = p_inertia * _s0
-    _s12 = _k87 * _add(_multiply(_s11, _add(_add(_multiply(turn_rate_0, _s7, _r5), _multiply(turn_rate_1, tx_1, _r2), _r2), _multiply(turn_rate_2, tx_0, _r5), _r5), _r5), _add(_add(_multiply(nx_0, _s6, _r2), _multiply(nx_1, lift_1, _r0), _r0), _multiply(nx_2, lift_0, _r2), _r2), _r2)
-    _s13 = _k87 * _add(_multiply(_s11, _add(_add(_multiply(turn_rate_0, _s9, _r2), _multiply(turn_rate_1, ty_1, _r5), _r5), _multiply(turn_rate_2, ty_0, _r2), _r2), _r2), _add(_add(_multiply(ny_0, _s6, _r5), _multiply(ny_1, lift_1, _r0), _r0), _multiply(ny_2, lift_0, _r5), _r5), _r5)
-    _s14 = _k87 * _add(_multiply(_s11, _add(_add(_multiply(turn_rate_0, _s10, _r5), _multiply(turn_rate_1, tz_1, _r2), _r2), _multiply(turn_rate_2, tz_0, _r5), _r5), _r5), _add(_add(_multiply(nz_0, _s6, _r2), _multiply(nz_1, lift_1, _r0), _r0), _multiply(nz_2, lift_0, _r2), _r2), _r2)
-    _s15 = _multiply(_k87, _add(_add(_add(_add(_multiply(vx_0, _s7, _r2), _multiply(vx_1, tx_1, _r5), _r5), _multiply(vx_2, tx_0, _r2), _r2), _add(_add(_multiply(vy_0, _s9, _r5), _multiply(vy_1, ty_1, _r0), _r0), _multiply(vy_2, ty_0, _r5), _r5), _r5), _add(_add(_multiply(vz_0, _s10, _r2), _multiply(vz_1, tz_1, _r0), _r0), _multiply(vz_2, tz_0, _r2), _r2), _r2), _r2)
-    return _s6, _s7, _s9, _s10, _s12, _s13, _s14, _k87 * _s2, _k87 * _s4, _k87 * _s5, -_s15
+    _s12 = _k88 * _add(_multiply(_s11, _add(_add(_multiply(turn_rate_0, _s7, _r5), _multiply(turn_rate_1, tx_1, _r2), _r2), _multiply(turn_rate_2, tx_0, _r5), _r5), _r5), _add(_add(_multiply(nx_0, _s6, _r2), _multiply(nx_1, lift_1, _r0), _r0), _multiply(nx_2, lift_0, _r2), _r2), _r2)
+    _s13 = _k88 * _add(_multiply(_s11, _add(_add(_multiply(turn_rate_0, _s9, _r2), _multiply(turn_rate_1, ty_1, _r5), _r5), _multiply(turn_rate_2, ty_0, _r2), _r2), _r2), _add(_add(_multiply(ny_0, _s6, _r5), _multiply(ny_1, lift_1, _r0), _r0), _multiply(ny_2, lift_0, _r5), _r5), _r5)
+    _s14 = _k88 * _add(_multiply(_s11, _add(_add(_multiply(turn_rate_0, _s10, _r5), _multiply(turn_rate_1, tz_1, _r2), _r2), _multiply(turn_rate_2, tz_0, _r5), _r5), _r5), _add(_add(_multiply(nz_0, _s6, _r2), _multiply(nz_1, lift_1, _r0), _r0), _multiply(nz_2, lift_0, _r2), _r2), _r2)
+    _s15 = _multiply(_k88, _add(_add(_add(_add(_multiply(vx_0, _s7, _r2), _multiply(vx_1, tx_1, _r5), _r5), _multiply(vx_2, tx_0, _r2), _r2), _add(_add(_multiply(vy_0, _s9, _r5), _multiply(vy_1, ty_1, _r0), _r0), _multiply(vy_2, ty_0, _r5), _r5), _r5), _add(_add(_multiply(vz_0, _s10, _r2), _multiply(vz_1, tz_1, _r0), _r0), _multiply(vz_2, tz_0, _r2), _r2), _r2), _r2)
+    return _s6, _s7, _s9, _s10, _s12, _s13, _s14, _k88 * _s2, _k88 * _s4, _k88 * _s5, -_s15
 
 
 def roll_3(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, lift_0: Any, lift_1: Any, lift_2: Any, tx_0: Any, tx_1: Any, tx_2: Any, ty_0: Any, ty_1: Any, ty_2: Any, tz_0: Any, tz_1: Any, tz_2: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2176,19 +2177,19 @@ def roll_3(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _room[:10]
     _s0 = 1.0 / (1.0 + p_inertia)
-    _s1 = _multiply(_k48, nx_2, _r0)
-    _s2 = _multiply(_k89, nx_3, _r1)
+    _s1 = _multiply(_k49, nx_2, _r0)
+    _s2 = _multiply(_k90, nx_3, _r1)
     _s3 = _multiply(_multiply(vx_3, bent_x, _r2), per_reach, _r2)
-    _s4 = _multiply(_k48, ny_2, _r3)
-    _s5 = _multiply(_k89, ny_3, _r4)
+    _s4 = _multiply(_k49, ny_2, _r3)
+    _s5 = _multiply(_k90, ny_3, _r4)
     _s6 = _multiply(_multiply(vy_3, bent_y, _r5), per_reach, _r5)
     _s7 = _multiply(_multiply(vz_3, bent_z, _r6), per_reach, _r6)
-    _s8 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_3, _r7), _multiply(_s1, vx_2, _r8), _r8), _multiply(_s2, vx_1, _r7), _r7), _multiply(vx_0, _s3, _r8), _r8), _add(_add(_add(_multiply(ny_1, vy_3, _r7), _multiply(_s4, vy_2, _r9), _r9), _multiply(_s5, vy_1, _r7), _r7), _multiply(vy_0, _s6, _r9), _r9), _r9), _add(_add(_add(_multiply(nz_1, vz_3, _r8), _multiply(_multiply(_k48, nz_2, _r7), vz_2, _r7), _r7), _multiply(_multiply(_k89, nz_3, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s7, _r7), _r7), _r7)
+    _s8 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_3, _r7), _multiply(_s1, vx_2, _r8), _r8), _multiply(_s2, vx_1, _r7), _r7), _multiply(vx_0, _s3, _r8), _r8), _add(_add(_add(_multiply(ny_1, vy_3, _r7), _multiply(_s4, vy_2, _r9), _r9), _multiply(_s5, vy_1, _r7), _r7), _multiply(vy_0, _s6, _r9), _r9), _r9), _add(_add(_add(_multiply(nz_1, vz_3, _r8), _multiply(_multiply(_k49, nz_2, _r7), vz_2, _r7), _r7), _multiply(_multiply(_k90, nz_3, _r8), vz_1, _r8), _r8), _multiply(vz_0, _s7, _r7), _r7), _r7)
     _s9 = _multiply(_multiply(p_gravity, nz_3, _r9), _s0, _r9) - _s8
     _s10 = _multiply(_s4, nz_2, _r3)
-    _s11 = _add(_add(_add(_multiply(ny_0, _s7, _r7), _multiply(_multiply(_k89, ny_1, _r9), nz_3, _r9), _r9), _s10, _r9), _multiply(ny_3, nz_1, _r7), _r7) - _add(_add(_add(_multiply(ny_1, nz_3, _r9), _s10, _r9), _multiply(_s5, nz_1, _r4), _r4), _multiply(nz_0, _s6, _r9), _r9)
+    _s11 = _add(_add(_add(_multiply(ny_0, _s7, _r7), _multiply(_multiply(_k90, ny_1, _r9), nz_3, _r9), _r9), _s10, _r9), _multiply(ny_3, nz_1, _r7), _r7) - _add(_add(_add(_multiply(ny_1, nz_3, _r9), _s10, _r9), _multiply(_s5, nz_1, _r4), _r4), _multiply(nz_0, _s6, _r9), _r9)
     _s12 = _multiply(_s1, nz_2, _r9)
-    _s13 = _multiply(_k89, nx_1, _r7)
+    _s13 = _multiply(_k90, nx_1, _r7)
     _s14 = _add(_add(_add(_multiply(nx_1, nz_3, _r4), _s12, _r4), _multiply(_s2, nz_1, _r3), _r3), _multiply(nz_0, _s3, _r4), _r4) - _add(_add(_add(_multiply(nx_0, _s7, _r3), _multiply(_s13, nz_3, _r8), _r8), _s12, _r8), _multiply(nx_3, nz_1, _r9), _r9)
     _s15 = _multiply(_s1, ny_2, _r0)
     _s16 = _add(_add(_add(_multiply(nx_0, _s6, _r9), _multiply(_s13, ny_3, _r7), _r7), _s15, _r7), _multiply(nx_3, ny_1, _r9), _r9) - _add(_add(_add(_multiply(nx_1, ny_3, _r7), _s15, _r7), _multiply(_s2, ny_1, _r1), _r1), _multiply(ny_0, _s3, _r7), _r7)
@@ -2197,7 +2198,7 @@ def roll_3(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     _s19 = _add(_multiply(_s17, _add(_add(_add(_multiply(turn_rate_0, _s14, _r9), _multiply(turn_rate_1, ty_2, _r7), _r7), _multiply(turn_rate_2, ty_1, _r9), _r9), _multiply(turn_rate_3, ty_0, _r7), _r7), _r7), _add(_add(_add(_multiply(ny_0, _s9, _r9), _multiply(ny_1, lift_2, _r0), _r0), _multiply(ny_2, lift_1, _r9), _r9), _multiply(ny_3, lift_0, _r0), _r0), _r0)
     _s20 = _add(_multiply(_s17, _add(_add(_add(_multiply(turn_rate_0, _s16, _r7), _multiply(turn_rate_1, tz_2, _r9), _r9), _multiply(turn_rate_2, tz_1, _r7), _r7), _multiply(turn_rate_3, tz_0, _r9), _r9), _r9), _add(_add(_add(_multiply(nz_0, _s9, _r7), _multiply(nz_1, lift_2, _r4), _r4), _multiply(nz_2, lift_1, _r7), _r7), _multiply(nz_3, lift_0, _r4), _r4), _r4)
     _s21 = _add(_add(_add(_add(_add(_multiply(vx_0, _s11, _r9), _multiply(vx_1, tx_2, _r7), _r7), _multiply(vx_2, tx_1, _r9), _r9), _multiply(vx_3, tx_0, _r7), _r7), _add(_add(_add(_multiply(vy_0, _s14, _r9), _multiply(vy_1, ty_2, _r8), _r8), _multiply(vy_2, ty_1, _r9), _r9), _multiply(vy_3, ty_0, _r8), _r8), _r8), _add(_add(_add(_multiply(vz_0, _s16, _r7), _multiply(vz_1, tz_2, _r9), _r9), _multiply(vz_2, tz_1, _r7), _r7), _multiply(vz_3, tz_0, _r9), _r9), _r9)
-    return _s9, _s11, _s14, _s16, _k52 * _s18, _k52 * _s19, _k52 * _s20, _k52 * _s3, _k52 * _s6, _k52 * _s7, -_multiply(_k52, _s21, _r9)
+    return _s9, _s11, _s14, _s16, _k53 * _s18, _k53 * _s19, _k53 * _s20, _k53 * _s3, _k53 * _s6, _k53 * _s7, -_multiply(_k53, _s21, _r9)
 
 
 def roll_4(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2207,23 +2208,23 @@ def roll_4(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11 = _room[:12]
     _s0 = 1.0 / (1.0 + p_inertia)
-    _s1 = _multiply(_k48, nx_2, _r0)
-    _s2 = _multiply(_k89, nx_3, _r1)
-    _s3 = _multiply(_k90, nx_4, _r2)
+    _s1 = _multiply(_k49, nx_2, _r0)
+    _s2 = _multiply(_k90, nx_3, _r1)
+    _s3 = _multiply(_k91, nx_4, _r2)
     _s4 = _multiply(_multiply(vx_4, bent_x, _r3), per_reach, _r3)
-    _s5 = _multiply(_k48, ny_2, _r4)
-    _s6 = _multiply(_k89, ny_3, _r5)
-    _s7 = _multiply(_k90, ny_4, _r6)
+    _s5 = _multiply(_k49, ny_2, _r4)
+    _s6 = _multiply(_k90, ny_3, _r5)
+    _s7 = _multiply(_k91, ny_4, _r6)
     _s8 = _multiply(_multiply(vy_4, bent_y, _r7), per_reach, _r7)
     _s9 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_4, _r8), _multiply(_s1, vx_3, _r9), _r9), _multiply(_s2, vx_2, _r8), _r8), _multiply(_s3, vx_1, _r9), _r9), _multiply(vx_0, _s4, _r8), _r8), _add(_add(_add(_add(_multiply(ny_1, vy_4, _r9), _multiply(_s5, vy_3, _r10), _r10), _multiply(_s6, vy_2, _r9), _r9), _multiply(_s7, vy_1, _r10), _r10), _multiply(vy_0, _s8, _r9), _r9), _r9)
     _s10 = _multiply(_multiply(vz_4, bent_z, _r8), per_reach, _r8)
-    _s11 = _add(_add(_add(_add(_multiply(nz_1, vz_4, _r10), _multiply(_multiply(_k48, nz_2, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k89, nz_3, _r10), vz_2, _r10), _r10), _multiply(_multiply(_k90, nz_4, _r11), vz_1, _r11), _r11), _multiply(vz_0, _s10, _r10), _r10)
+    _s11 = _add(_add(_add(_add(_multiply(nz_1, vz_4, _r10), _multiply(_multiply(_k49, nz_2, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k90, nz_3, _r10), vz_2, _r10), _r10), _multiply(_multiply(_k91, nz_4, _r11), vz_1, _r11), _r11), _multiply(vz_0, _s10, _r10), _r10)
     _s12 = _multiply(_multiply(p_gravity, nz_4, _r11), _s0, _r11) - _add(_s9, _s11, _r10)
-    _s13 = _add(_add(_add(_add(_multiply(ny_0, _s10, _r10), _multiply(_multiply(_k90, ny_1, _r11), nz_4, _r11), _r11), _multiply(_multiply(_k89, ny_2, _r10), nz_3, _r10), _r10), _multiply(_multiply(_k48, ny_3, _r11), nz_2, _r11), _r11), _multiply(ny_4, nz_1, _r10), _r10)
+    _s13 = _add(_add(_add(_add(_multiply(ny_0, _s10, _r10), _multiply(_multiply(_k91, ny_1, _r11), nz_4, _r11), _r11), _multiply(_multiply(_k90, ny_2, _r10), nz_3, _r10), _r10), _multiply(_multiply(_k49, ny_3, _r11), nz_2, _r11), _r11), _multiply(ny_4, nz_1, _r10), _r10)
     _s14 = _s13 - _add(_add(_add(_add(_multiply(ny_1, nz_4, _r11), _multiply(_s5, nz_3, _r4), _r4), _multiply(_s6, nz_2, _r5), _r5), _multiply(_s7, nz_1, _r6), _r6), _multiply(nz_0, _s8, _r5), _r5)
-    _s15 = _multiply(_k90, nx_1, _r5)
-    _s16 = _multiply(_k89, nx_2, _r10)
-    _s17 = _multiply(_k48, nx_3, _r6)
+    _s15 = _multiply(_k91, nx_1, _r5)
+    _s16 = _multiply(_k90, nx_2, _r10)
+    _s17 = _multiply(_k49, nx_3, _r6)
     _s18 = _add(_add(_add(_add(_multiply(nx_1, nz_4, _r4), _multiply(_s1, nz_3, _r11), _r11), _multiply(_s2, nz_2, _r4), _r4), _multiply(_s3, nz_1, _r11), _r11), _multiply(nz_0, _s4, _r4), _r4) - _add(_add(_add(_add(_multiply(nx_0, _s10, _r11), _multiply(_s15, nz_4, _r9), _r9), _multiply(_s16, nz_3, _r11), _r11), _multiply(_s17, nz_2, _r9), _r9), _multiply(nx_4, nz_1, _r11), _r11)
     _s19 = _add(_add(_add(_add(_multiply(nx_0, _s8, _r11), _multiply(_s15, ny_4, _r5), _r5), _multiply(_s16, ny_3, _r10), _r10), _multiply(_s17, ny_2, _r6), _r6), _multiply(nx_4, ny_1, _r10), _r10) - _add(_add(_add(_add(_multiply(nx_1, ny_4, _r6), _multiply(_s1, ny_3, _r0), _r0), _multiply(_s2, ny_2, _r1), _r1), _multiply(_s3, ny_1, _r2), _r2), _multiply(ny_0, _s4, _r1), _r1)
     _s20 = p_inertia * _s0
@@ -2235,7 +2236,7 @@ def roll_4(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     _s26 = _add(_s25, _add(_add(_add(_add(_multiply(nz_0, _s12, _r0), _multiply(nz_1, lift_3, _r6), _r6), _multiply(nz_2, lift_2, _r0), _r0), _multiply(nz_3, lift_1, _r6), _r6), _multiply(nz_4, lift_0, _r0), _r0), _r0)
     _s27 = _add(_add(_add(_add(_add(_multiply(vx_0, _s14, _r1), _multiply(vx_1, tx_3, _r6), _r6), _multiply(vx_2, tx_2, _r1), _r1), _multiply(vx_3, tx_1, _r6), _r6), _multiply(vx_4, tx_0, _r1), _r1), _add(_add(_add(_add(_multiply(vy_0, _s18, _r6), _multiply(vy_1, ty_3, _r5), _r5), _multiply(vy_2, ty_2, _r6), _r6), _multiply(vy_3, ty_1, _r5), _r5), _multiply(vy_4, ty_0, _r6), _r6), _r6)
     _s28 = _add(_s27, _add(_add(_add(_add(_multiply(vz_0, _s19, _r1), _multiply(vz_1, tz_3, _r5), _r5), _multiply(vz_2, tz_2, _r1), _r1), _multiply(vz_3, tz_1, _r5), _r5), _multiply(vz_4, tz_0, _r1), _r1), _r1)
-    return _s12, _s14, _s18, _s19, _k91 * _s22, _k91 * _s24, _k91 * _s26, _k91 * _s4, _k91 * _s8, _k91 * _s10, -_multiply(_k91, _s28, _r1)
+    return _s12, _s14, _s18, _s19, _k92 * _s22, _k92 * _s24, _k92 * _s26, _k92 * _s4, _k92 * _s8, _k92 * _s10, -_multiply(_k92, _s28, _r1)
 
 
 def roll_5(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2245,30 +2246,30 @@ def roll_5(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14 = _room[:15]
     _s0 = 1.0 / (1.0 + p_inertia)
-    _s1 = _multiply(_k48, nx_2, _r0)
-    _s2 = _multiply(_k89, nx_3, _r1)
-    _s3 = _multiply(_k90, nx_4, _r2)
-    _s4 = _multiply(_k93, nx_5, _r3)
+    _s1 = _multiply(_k49, nx_2, _r0)
+    _s2 = _multiply(_k90, nx_3, _r1)
+    _s3 = _multiply(_k91, nx_4, _r2)
+    _s4 = _multiply(_k94, nx_5, _r3)
     _s5 = _multiply(_multiply(vx_5, bent_x, _r4), per_reach, _r4)
     _s6 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_5, _r5), _multiply(_s1, vx_4, _r6), _r6), _multiply(_s2, vx_3, _r5), _r5), _multiply(_s3, vx_2, _r6), _r6), _multiply(_s4, vx_1, _r5), _r5), _multiply(vx_0, _s5, _r6), _r6)
-    _s7 = _multiply(_k48, ny_2, _r5)
-    _s8 = _multiply(_k89, ny_3, _r7)
-    _s9 = _multiply(_k90, ny_4, _r8)
-    _s10 = _multiply(_k93, ny_5, _r9)
+    _s7 = _multiply(_k49, ny_2, _r5)
+    _s8 = _multiply(_k90, ny_3, _r7)
+    _s9 = _multiply(_k91, ny_4, _r8)
+    _s10 = _multiply(_k94, ny_5, _r9)
     _s11 = _multiply(_multiply(vy_5, bent_y, _r10), per_reach, _r10)
     _s12 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_5, _r11), _multiply(_s7, vy_4, _r12), _r12), _multiply(_s8, vy_3, _r11), _r11), _multiply(_s9, vy_2, _r12), _r12), _multiply(_s10, vy_1, _r11), _r11), _multiply(vy_0, _s11, _r12), _r12)
-    _s13 = _add(_add(_add(_add(_multiply(nz_1, vz_5, _r11), _multiply(_multiply(_k48, nz_2, _r13), vz_4, _r13), _r13), _multiply(_multiply(_k89, nz_3, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k90, nz_4, _r13), vz_2, _r13), _r13), _multiply(_multiply(_k93, nz_5, _r11), vz_1, _r11), _r11)
+    _s13 = _add(_add(_add(_add(_multiply(nz_1, vz_5, _r11), _multiply(_multiply(_k49, nz_2, _r13), vz_4, _r13), _r13), _multiply(_multiply(_k90, nz_3, _r11), vz_3, _r11), _r11), _multiply(_multiply(_k91, nz_4, _r13), vz_2, _r13), _r13), _multiply(_multiply(_k94, nz_5, _r11), vz_1, _r11), _r11)
     _s14 = _multiply(_multiply(vz_5, bent_z, _r13), per_reach, _r13)
     _s15 = _multiply(_multiply(p_gravity, nz_5, _r14), _s0, _r14) - _add(_add(_s6, _s12, _r12), _add(_s13, _multiply(vz_0, _s14, _r6), _r6), _r6)
     _s16 = _multiply(_s8, nz_3, _r7)
-    _s17 = _add(_add(_add(_add(_multiply(ny_0, _s14, _r6), _multiply(_multiply(_k93, ny_1, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k90, ny_2, _r6), nz_4, _r6), _r6), _s16, _r6), _multiply(_multiply(_k48, ny_4, _r14), nz_2, _r14), _r14)
+    _s17 = _add(_add(_add(_add(_multiply(ny_0, _s14, _r6), _multiply(_multiply(_k94, ny_1, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k91, ny_2, _r6), nz_4, _r6), _r6), _s16, _r6), _multiply(_multiply(_k49, ny_4, _r14), nz_2, _r14), _r14)
     _s18 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_5, _r6), _multiply(_s7, nz_4, _r5), _r5), _s16, _r5), _multiply(_s9, nz_2, _r8), _r8), _multiply(_s10, nz_1, _r9), _r9), _multiply(nz_0, _s11, _r8), _r8)
     _s19 = _add(_s17, _multiply(ny_5, nz_1, _r9), _r9) - _s18
     _s20 = _multiply(_s2, nz_3, _r8)
     _s21 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_5, _r9), _multiply(_s1, nz_4, _r14), _r14), _s20, _r14), _multiply(_s3, nz_2, _r9), _r9), _multiply(_s4, nz_1, _r14), _r14), _multiply(nz_0, _s5, _r9), _r9)
-    _s22 = _multiply(_k93, nx_1, _r14)
-    _s23 = _multiply(_k90, nx_2, _r5)
-    _s24 = _multiply(_k48, nx_4, _r7)
+    _s22 = _multiply(_k94, nx_1, _r14)
+    _s23 = _multiply(_k91, nx_2, _r5)
+    _s24 = _multiply(_k49, nx_4, _r7)
     _s25 = _add(_add(_add(_add(_add(_multiply(nx_0, _s14, _r6), _multiply(_s22, nz_5, _r12), _r12), _multiply(_s23, nz_4, _r6), _r6), _s20, _r6), _multiply(_s24, nz_2, _r8), _r8), _multiply(nx_5, nz_1, _r6), _r6)
     _s26 = _s21 - _s25
     _s27 = _multiply(_s2, ny_3, _r1)
@@ -2285,7 +2286,7 @@ def roll_5(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     _s38 = _add(_add(_add(_add(_add(_multiply(vx_0, _s19, _r2), _multiply(vx_1, tx_4, _r6), _r6), _multiply(vx_2, tx_3, _r2), _r2), _multiply(vx_3, tx_2, _r6), _r6), _multiply(vx_4, tx_1, _r2), _r2), _multiply(vx_5, tx_0, _r6), _r6)
     _s39 = _add(_add(_add(_add(_add(_multiply(vy_0, _s26, _r2), _multiply(vy_1, ty_4, _r9), _r9), _multiply(vy_2, ty_3, _r2), _r2), _multiply(vy_3, ty_2, _r9), _r9), _multiply(vy_4, ty_1, _r2), _r2), _multiply(vy_5, ty_0, _r9), _r9)
     _s40 = _add(_add(_add(_add(_add(_multiply(vz_0, _s30, _r2), _multiply(vz_1, tz_4, _r8), _r8), _multiply(vz_2, tz_3, _r2), _r2), _multiply(vz_3, tz_2, _r8), _r8), _multiply(vz_4, tz_1, _r2), _r2), _multiply(vz_5, tz_0, _r8), _r8)
-    return _s15, _s19, _s26, _s30, _k94 * _add(_multiply(_s31, _s32, _r5), _s33, _r3), _k94 * _add(_multiply(_s31, _s34, _r0), _s35, _r1), _k94 * _add(_multiply(_s31, _s36, _r7), _s37, _r14), _k94 * _s5, _k94 * _s11, _k94 * _s14, -_multiply(_k94, _add(_add(_s38, _s39, _r9), _s40, _r8), _r8)
+    return _s15, _s19, _s26, _s30, _k95 * _add(_multiply(_s31, _s32, _r5), _s33, _r3), _k95 * _add(_multiply(_s31, _s34, _r0), _s35, _r1), _k95 * _add(_multiply(_s31, _s36, _r7), _s37, _r14), _k95 * _s5, _k95 * _s11, _k95 * _s14, -_multiply(_k95, _add(_add(_s38, _s39, _r9), _s40, _r8), _r8)
 
 
 def roll_6(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2295,32 +2296,32 @@ def roll_6(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _room[:18]
     _s0 = 1.0 / (1.0 + p_inertia)
-    _s1 = _multiply(_k48, nx_2, _r0)
-    _s2 = _multiply(_k89, nx_3, _r1)
-    _s3 = _multiply(_k90, nx_4, _r2)
-    _s4 = _multiply(_k93, nx_5, _r3)
+    _s1 = _multiply(_k49, nx_2, _r0)
+    _s2 = _multiply(_k90, nx_3, _r1)
+    _s3 = _multiply(_k91, nx_4, _r2)
+    _s4 = _multiply(_k94, nx_5, _r3)
     _s5 = _multiply(_k3, nx_6, _r4)
     _s6 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_6, _r5), _multiply(_s1, vx_5, _r6), _r6), _multiply(_s2, vx_4, _r5), _r5), _multiply(_s3, vx_3, _r6), _r6), _multiply(_s4, vx_2, _r5), _r5), _multiply(_s5, vx_1, _r6), _r6)
     _s7 = _multiply(_multiply(vx_6, bent_x, _r5), per_reach, _r5)
-    _s8 = _multiply(_k48, ny_2, _r7)
-    _s9 = _multiply(_k89, ny_3, _r8)
-    _s10 = _multiply(_k90, ny_4, _r9)
-    _s11 = _multiply(_k93, ny_5, _r10)
+    _s8 = _multiply(_k49, ny_2, _r7)
+    _s9 = _multiply(_k90, ny_3, _r8)
+    _s10 = _multiply(_k91, ny_4, _r9)
+    _s11 = _multiply(_k94, ny_5, _r10)
     _s12 = _multiply(_k3, ny_6, _r11)
     _s13 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_6, _r12), _multiply(_s8, vy_5, _r13), _r13), _multiply(_s9, vy_4, _r12), _r12), _multiply(_s10, vy_3, _r13), _r13), _multiply(_s11, vy_2, _r12), _r12), _multiply(_s12, vy_1, _r13), _r13)
     _s14 = _multiply(_multiply(vy_6, bent_y, _r12), per_reach, _r12)
-    _s15 = _add(_add(_add(_add(_multiply(nz_1, vz_6, _r14), _multiply(_multiply(_k48, nz_2, _r15), vz_5, _r15), _r15), _multiply(_multiply(_k89, nz_3, _r14), vz_4, _r14), _r14), _multiply(_multiply(_k90, nz_4, _r15), vz_3, _r15), _r15), _multiply(_multiply(_k93, nz_5, _r14), vz_2, _r14), _r14)
+    _s15 = _add(_add(_add(_add(_multiply(nz_1, vz_6, _r14), _multiply(_multiply(_k49, nz_2, _r15), vz_5, _r15), _r15), _multiply(_multiply(_k90, nz_3, _r14), vz_4, _r14), _r14), _multiply(_multiply(_k91, nz_4, _r15), vz_3, _r15), _r15), _multiply(_multiply(_k94, nz_5, _r14), vz_2, _r14), _r14)
     _s16 = _multiply(_multiply(vz_6, bent_z, _r15), per_reach, _r15)
     _s17 = _multiply(_multiply(p_gravity, nz_6, _r16), _s0, _r16) - _add(_add(_add(_s6, _multiply(vx_0, _s7, _r17), _r17), _add(_s13, _multiply(vy_0, _s14, _r6), _r6), _r6), _add(_add(_s15, _multiply(_multiply(_k3, nz_6, _r17), vz_1, _r17), _r17), _multiply(vz_0, _s16, _r14), _r14), _r14)
-    _s18 = _add(_add(_add(_add(_multiply(ny_0, _s16, _r14), _multiply(_multiply(_k3, ny_1, _r16), nz_6, _r16), _r16), _multiply(_multiply(_k93, ny_2, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k90, ny_3, _r16), nz_4, _r16), _r16), _multiply(_multiply(_k89, ny_4, _r14), nz_3, _r14), _r14)
+    _s18 = _add(_add(_add(_add(_multiply(ny_0, _s16, _r14), _multiply(_multiply(_k3, ny_1, _r16), nz_6, _r16), _r16), _multiply(_multiply(_k94, ny_2, _r14), nz_5, _r14), _r14), _multiply(_multiply(_k91, ny_3, _r16), nz_4, _r16), _r16), _multiply(_multiply(_k90, ny_4, _r14), nz_3, _r14), _r14)
     _s19 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_6, _r16), _multiply(_s8, nz_5, _r7), _r7), _multiply(_s9, nz_4, _r8), _r8), _multiply(_s10, nz_3, _r9), _r9), _multiply(_s11, nz_2, _r10), _r10), _multiply(_s12, nz_1, _r11), _r11)
-    _s20 = _add(_add(_s18, _multiply(_multiply(_k48, ny_5, _r10), nz_2, _r10), _r10), _multiply(ny_6, nz_1, _r14), _r14) - _add(_s19, _multiply(nz_0, _s14, _r10), _r10)
+    _s20 = _add(_add(_s18, _multiply(_multiply(_k49, ny_5, _r10), nz_2, _r10), _r10), _multiply(ny_6, nz_1, _r14), _r14) - _add(_s19, _multiply(nz_0, _s14, _r10), _r10)
     _s21 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_6, _r10), _multiply(_s1, nz_5, _r14), _r14), _multiply(_s2, nz_4, _r10), _r10), _multiply(_s3, nz_3, _r14), _r14), _multiply(_s4, nz_2, _r10), _r10), _multiply(_s5, nz_1, _r14), _r14)
     _s22 = _multiply(_k3, nx_1, _r10)
-    _s23 = _multiply(_k93, nx_2, _r11)
-    _s24 = _multiply(_k90, nx_3, _r9)
-    _s25 = _multiply(_k89, nx_4, _r8)
-    _s26 = _multiply(_k48, nx_5, _r7)
+    _s23 = _multiply(_k94, nx_2, _r11)
+    _s24 = _multiply(_k91, nx_3, _r9)
+    _s25 = _multiply(_k90, nx_4, _r8)
+    _s26 = _multiply(_k49, nx_5, _r7)
     _s27 = _add(_add(_add(_add(_add(_multiply(nx_0, _s16, _r16), _multiply(_s22, nz_6, _r6), _r6), _multiply(_s23, nz_5, _r16), _r16), _multiply(_s24, nz_4, _r6), _r6), _multiply(_s25, nz_3, _r16), _r16), _multiply(_s26, nz_2, _r6), _r6)
     _s28 = _add(_s21, _multiply(nz_0, _s7, _r16), _r16) - _add(_s27, _multiply(nx_6, nz_1, _r14), _r14)
     _s29 = _add(_add(_add(_add(_add(_multiply(nx_0, _s14, _r14), _multiply(_s22, ny_6, _r10), _r10), _multiply(_s23, ny_5, _r11), _r11), _multiply(_s24, ny_4, _r9), _r9), _multiply(_s25, ny_3, _r8), _r8), _multiply(_s26, ny_2, _r7), _r7)
@@ -2336,8 +2337,8 @@ def roll_6(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     _s39 = _add(_add(_add(_add(_add(_multiply(vx_0, _s20, _r7), _multiply(vx_1, tx_5, _r9), _r9), _multiply(vx_2, tx_4, _r7), _r7), _multiply(vx_3, tx_3, _r9), _r9), _multiply(vx_4, tx_2, _r7), _r7), _multiply(vx_5, tx_1, _r9), _r9)
     _s40 = _add(_add(_add(_add(_add(_multiply(vy_0, _s28, _r7), _multiply(vy_1, ty_5, _r11), _r11), _multiply(vy_2, ty_4, _r7), _r7), _multiply(vy_3, ty_3, _r11), _r11), _multiply(vy_4, ty_2, _r7), _r7), _multiply(vy_5, ty_1, _r11), _r11)
     _s41 = _add(_add(_add(_add(_add(_multiply(vz_0, _s31, _r7), _multiply(vz_1, tz_5, _r10), _r10), _multiply(vz_2, tz_4, _r7), _r7), _multiply(vz_3, tz_3, _r10), _r10), _multiply(vz_4, tz_2, _r7), _r7), _multiply(vz_5, tz_1, _r10), _r10)
-    _s42 = -_multiply(_k97, _add(_add(_add(_s39, _multiply(vx_6, tx_0, _r7), _r7), _add(_s40, _multiply(vy_6, ty_0, _r9), _r9), _r9), _add(_s41, _multiply(vz_6, tz_0, _r7), _r7), _r7), _r7)
-    return _s17, _s20, _s28, _s31, _k97 * _add(_multiply(_s32, _add(_s33, _multiply(turn_rate_6, tx_0, _r7), _r7), _r7), _add(_s34, _multiply(nx_6, lift_0, _r3), _r3), _r3), _k97 * _add(_multiply(_s32, _add(_s35, _multiply(turn_rate_6, ty_0, _r3), _r3), _r3), _add(_s36, _multiply(ny_6, lift_0, _r2), _r2), _r2), _k97 * _add(_multiply(_s32, _add(_s37, _multiply(turn_rate_6, tz_0, _r2), _r2), _r2), _add(_s38, _multiply(nz_6, lift_0, _r0), _r0), _r0), _k97 * _s7, _k97 * _s14, _k97 * _s16, _s42
+    _s42 = -_multiply(_k98, _add(_add(_add(_s39, _multiply(vx_6, tx_0, _r7), _r7), _add(_s40, _multiply(vy_6, ty_0, _r9), _r9), _r9), _add(_s41, _multiply(vz_6, tz_0, _r7), _r7), _r7), _r7)
+    return _s17, _s20, _s28, _s31, _k98 * _add(_multiply(_s32, _add(_s33, _multiply(turn_rate_6, tx_0, _r7), _r7), _r7), _add(_s34, _multiply(nx_6, lift_0, _r3), _r3), _r3), _k98 * _add(_multiply(_s32, _add(_s35, _multiply(turn_rate_6, ty_0, _r3), _r3), _r3), _add(_s36, _multiply(ny_6, lift_0, _r2), _r2), _r2), _k98 * _add(_multiply(_s32, _add(_s37, _multiply(turn_rate_6, tz_0, _r2), _r2), _r2), _add(_s38, _multiply(nz_6, lift_0, _r0), _r0), _r0), _k98 * _s7, _k98 * _s14, _k98 * _s16, _s42
 
 
 def roll_7(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, nx_7: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, ny_7: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, tx_6: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, ty_6: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, tz_6: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2347,38 +2348,38 @@ def roll_7(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18 = _room[:19]
     _s0 = 1.0 / (1.0 + p_inertia)
-    _s1 = _multiply(_k48, nx_2, _r0)
-    _s2 = _multiply(_k89, nx_3, _r1)
-    _s3 = _multiply(_k90, nx_4, _r2)
-    _s4 = _multiply(_k93, nx_5, _r3)
+    _s1 = _multiply(_k49, nx_2, _r0)
+    _s2 = _multiply(_k90, nx_3, _r1)
+    _s3 = _multiply(_k91, nx_4, _r2)
+    _s4 = _multiply(_k94, nx_5, _r3)
     _s5 = _multiply(_k3, nx_6, _r4)
     _s6 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_7, _r5), _multiply(_s1, vx_6, _r6), _r6), _multiply(_s2, vx_5, _r5), _r5), _multiply(_s3, vx_4, _r6), _r6), _multiply(_s4, vx_3, _r5), _r5), _multiply(_s5, vx_2, _r6), _r6)
-    _s7 = _multiply(_k99, nx_7, _r5)
+    _s7 = _multiply(_k100, nx_7, _r5)
     _s8 = _multiply(_multiply(vx_7, bent_x, _r7), per_reach, _r7)
-    _s9 = _multiply(_k48, ny_2, _r8)
-    _s10 = _multiply(_k89, ny_3, _r9)
-    _s11 = _multiply(_k90, ny_4, _r10)
-    _s12 = _multiply(_k93, ny_5, _r11)
+    _s9 = _multiply(_k49, ny_2, _r8)
+    _s10 = _multiply(_k90, ny_3, _r9)
+    _s11 = _multiply(_k91, ny_4, _r10)
+    _s12 = _multiply(_k94, ny_5, _r11)
     _s13 = _multiply(_k3, ny_6, _r12)
     _s14 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_7, _r13), _multiply(_s9, vy_6, _r14), _r14), _multiply(_s10, vy_5, _r13), _r13), _multiply(_s11, vy_4, _r14), _r14), _multiply(_s12, vy_3, _r13), _r13), _multiply(_s13, vy_2, _r14), _r14)
-    _s15 = _multiply(_k99, ny_7, _r13)
+    _s15 = _multiply(_k100, ny_7, _r13)
     _s16 = _multiply(_multiply(vy_7, bent_y, _r15), per_reach, _r15)
-    _s17 = _add(_add(_add(_add(_multiply(nz_1, vz_7, _r16), _multiply(_multiply(_k48, nz_2, _r17), vz_6, _r17), _r17), _multiply(_multiply(_k89, nz_3, _r16), vz_5, _r16), _r16), _multiply(_multiply(_k90, nz_4, _r17), vz_4, _r17), _r17), _multiply(_multiply(_k93, nz_5, _r16), vz_3, _r16), _r16)
+    _s17 = _add(_add(_add(_add(_multiply(nz_1, vz_7, _r16), _multiply(_multiply(_k49, nz_2, _r17), vz_6, _r17), _r17), _multiply(_multiply(_k90, nz_3, _r16), vz_5, _r16), _r16), _multiply(_multiply(_k91, nz_4, _r17), vz_4, _r17), _r17), _multiply(_multiply(_k94, nz_5, _r16), vz_3, _r16), _r16)
     _s18 = _multiply(_multiply(vz_7, bent_z, _r17), per_reach, _r17)
-    _s19 = _add(_add(_add(_add(_s6, _multiply(_s7, vx_1, _r18), _r18), _multiply(vx_0, _s8, _r6), _r6), _add(_add(_s14, _multiply(_s15, vy_1, _r18), _r18), _multiply(vy_0, _s16, _r14), _r14), _r14), _add(_add(_add(_s17, _multiply(_multiply(_k3, nz_6, _r6), vz_2, _r6), _r6), _multiply(_multiply(_k99, nz_7, _r16), vz_1, _r16), _r16), _multiply(vz_0, _s18, _r6), _r6), _r6)
+    _s19 = _add(_add(_add(_add(_s6, _multiply(_s7, vx_1, _r18), _r18), _multiply(vx_0, _s8, _r6), _r6), _add(_add(_s14, _multiply(_s15, vy_1, _r18), _r18), _multiply(vy_0, _s16, _r14), _r14), _r14), _add(_add(_add(_s17, _multiply(_multiply(_k3, nz_6, _r6), vz_2, _r6), _r6), _multiply(_multiply(_k100, nz_7, _r16), vz_1, _r16), _r16), _multiply(vz_0, _s18, _r6), _r6), _r6)
     _s20 = _multiply(_multiply(p_gravity, nz_7, _r14), _s0, _r14) - _s19
     _s21 = _multiply(_s11, nz_4, _r10)
-    _s22 = _add(_add(_add(_add(_multiply(ny_0, _s18, _r6), _multiply(_multiply(_k99, ny_1, _r14), nz_7, _r14), _r14), _multiply(_multiply(_k3, ny_2, _r6), nz_6, _r6), _r6), _multiply(_multiply(_k93, ny_3, _r14), nz_5, _r14), _r14), _s21, _r14)
+    _s22 = _add(_add(_add(_add(_multiply(ny_0, _s18, _r6), _multiply(_multiply(_k100, ny_1, _r14), nz_7, _r14), _r14), _multiply(_multiply(_k3, ny_2, _r6), nz_6, _r6), _r6), _multiply(_multiply(_k94, ny_3, _r14), nz_5, _r14), _r14), _s21, _r14)
     _s23 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_7, _r6), _multiply(_s9, nz_6, _r8), _r8), _multiply(_s10, nz_5, _r9), _r9), _s21, _r9), _multiply(_s12, nz_3, _r11), _r11), _multiply(_s13, nz_2, _r12), _r12)
-    _s24 = _add(_add(_add(_s22, _multiply(_multiply(_k89, ny_5, _r11), nz_3, _r11), _r11), _multiply(_multiply(_k48, ny_6, _r14), nz_2, _r14), _r14), _multiply(ny_7, nz_1, _r11), _r11) - _add(_add(_s23, _multiply(_s15, nz_1, _r13), _r13), _multiply(nz_0, _s16, _r12), _r12)
+    _s24 = _add(_add(_add(_s22, _multiply(_multiply(_k90, ny_5, _r11), nz_3, _r11), _r11), _multiply(_multiply(_k49, ny_6, _r14), nz_2, _r14), _r14), _multiply(ny_7, nz_1, _r11), _r11) - _add(_add(_s23, _multiply(_s15, nz_1, _r13), _r13), _multiply(nz_0, _s16, _r12), _r12)
     _s25 = _multiply(_s3, nz_4, _r12)
     _s26 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_7, _r11), _multiply(_s1, nz_6, _r13), _r13), _multiply(_s2, nz_5, _r11), _r11), _s25, _r11), _multiply(_s4, nz_3, _r13), _r13), _multiply(_s5, nz_2, _r11), _r11)
-    _s27 = _multiply(_k99, nx_1, _r13)
+    _s27 = _multiply(_k100, nx_1, _r13)
     _s28 = _multiply(_k3, nx_2, _r14)
-    _s29 = _multiply(_k93, nx_3, _r9)
-    _s30 = _multiply(_k89, nx_5, _r10)
+    _s29 = _multiply(_k94, nx_3, _r9)
+    _s30 = _multiply(_k90, nx_5, _r10)
     _s31 = _add(_add(_add(_add(_add(_multiply(nx_0, _s18, _r8), _multiply(_s27, nz_7, _r6), _r6), _multiply(_s28, nz_6, _r8), _r8), _multiply(_s29, nz_5, _r6), _r6), _s25, _r6), _multiply(_s30, nz_3, _r12), _r12)
-    _s32 = _multiply(_k48, nx_6, _r6)
+    _s32 = _multiply(_k49, nx_6, _r6)
     _s33 = _add(_add(_s26, _multiply(_s7, nz_1, _r8), _r8), _multiply(nz_0, _s8, _r11), _r11) - _add(_add(_s31, _multiply(_s32, nz_2, _r8), _r8), _multiply(nx_7, nz_1, _r12), _r12)
     _s34 = _multiply(_s3, ny_4, _r2)
     _s35 = _add(_add(_add(_add(_add(_multiply(nx_0, _s16, _r12), _multiply(_s27, ny_7, _r13), _r13), _multiply(_s28, ny_6, _r14), _r14), _multiply(_s29, ny_5, _r9), _r9), _s34, _r9), _multiply(_s30, ny_3, _r10), _r10)
@@ -2387,18 +2388,18 @@ def roll_7(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3
     _s38 = p_inertia * _s0
     _s39 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s24, _r4), _multiply(turn_rate_1, tx_6, _r10), _r10), _multiply(turn_rate_2, tx_5, _r4), _r4), _multiply(turn_rate_3, tx_4, _r10), _r10), _multiply(turn_rate_4, tx_3, _r4), _r4), _multiply(turn_rate_5, tx_2, _r10), _r10)
     _s40 = _add(_add(_add(_add(_add(_multiply(nx_0, _s20, _r4), _multiply(nx_1, lift_6, _r5), _r5), _multiply(nx_2, lift_5, _r4), _r4), _multiply(nx_3, lift_4, _r5), _r5), _multiply(nx_4, lift_3, _r4), _r4), _multiply(nx_5, lift_2, _r5), _r5)
-    _s41 = _k54 * _add(_multiply(_s38, _add(_add(_s39, _multiply(turn_rate_6, tx_1, _r4), _r4), _multiply(turn_rate_7, tx_0, _r10), _r10), _r10), _add(_add(_s40, _multiply(nx_6, lift_1, _r4), _r4), _multiply(nx_7, lift_0, _r5), _r5), _r5)
+    _s41 = _k55 * _add(_multiply(_s38, _add(_add(_s39, _multiply(turn_rate_6, tx_1, _r4), _r4), _multiply(turn_rate_7, tx_0, _r10), _r10), _r10), _add(_add(_s40, _multiply(nx_6, lift_1, _r4), _r4), _multiply(nx_7, lift_0, _r5), _r5), _r5)
     _s42 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s33, _r5), _multiply(turn_rate_1, ty_6, _r10), _r10), _multiply(turn_rate_2, ty_5, _r5), _r5), _multiply(turn_rate_3, ty_4, _r10), _r10), _multiply(turn_rate_4, ty_3, _r5), _r5), _multiply(turn_rate_5, ty_2, _r10), _r10)
     _s43 = _add(_add(_add(_add(_add(_multiply(ny_0, _s20, _r5), _multiply(ny_1, lift_6, _r4), _r4), _multiply(ny_2, lift_5, _r5), _r5), _multiply(ny_3, lift_4, _r4), _r4), _multiply(ny_4, lift_3, _r5), _r5), _multiply(ny_5, lift_2, _r4), _r4)
-    _s44 = _k54 * _add(_multiply(_s38, _add(_add(_s42, _multiply(turn_rate_6, ty_1, _r5), _r5), _multiply(turn_rate_7, ty_0, _r10), _r10), _r10), _add(_add(_s43, _multiply(ny_6, lift_1, _r5), _r5), _multiply(ny_7, lift_0, _r4), _r4), _r4)
+    _s44 = _k55 * _add(_multiply(_s38, _add(_add(_s42, _multiply(turn_rate_6, ty_1, _r5), _r5), _multiply(turn_rate_7, ty_0, _r10), _r10), _r10), _add(_add(_s43, _multiply(ny_6, lift_1, _r5), _r5), _multiply(ny_7, lift_0, _r4), _r4), _r4)
     _s45 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s37, _r4), _multiply(turn_rate_1, tz_6, _r10), _r10), _multiply(turn_rate_2, tz_5, _r4), _r4), _multiply(turn_rate_3, tz_4, _r10), _r10), _multiply(turn_rate_4, tz_3, _r4), _r4), _multiply(turn_rate_5, tz_2, _r10), _r10)
     _s46 = _add(_add(_add(_add(_add(_multiply(nz_0, _s20, _r4), _multiply(nz_1, lift_6, _r5), _r5), _multiply(nz_2, lift_5, _r4), _r4), _multiply(nz_3, lift_4, _r5), _r5), _multiply(nz_4, lift_3, _r4), _r4), _multiply(nz_5, lift_2, _r5), _r5)
-    _s47 = _k54 * _add(_multiply(_s38, _add(_add(_s45, _multiply(turn_rate_6, tz_1, _r4), _r4), _multiply(turn_rate_7, tz_0, _r10), _r10), _r10), _add(_add(_s46, _multiply(nz_6, lift_1, _r4), _r4), _multiply(nz_7, lift_0, _r5), _r5), _r5)
+    _s47 = _k55 * _add(_multiply(_s38, _add(_add(_s45, _multiply(turn_rate_6, tz_1, _r4), _r4), _multiply(turn_rate_7, tz_0, _r10), _r10), _r10), _add(_add(_s46, _multiply(nz_6, lift_1, _r4), _r4), _multiply(nz_7, lift_0, _r5), _r5), _r5)
     _s48 = _add(_add(_add(_add(_add(_multiply(vx_0, _s24, _r5), _multiply(vx_1, tx_6, _r10), _r10), _multiply(vx_2, tx_5, _r5), _r5), _multiply(vx_3, tx_4, _r10), _r10), _multiply(vx_4, tx_3, _r5), _r5), _multiply(vx_5, tx_2, _r10), _r10)
     _s49 = _add(_add(_add(_add(_add(_multiply(vy_0, _s33, _r5), _multiply(vy_1, ty_6, _r4), _r4), _multiply(vy_2, ty_5, _r5), _r5), _multiply(vy_3, ty_4, _r4), _r4), _multiply(vy_4, ty_3, _r5), _r5), _multiply(vy_5, ty_2, _r4), _r4)
     _s50 = _add(_add(_add(_add(_add(_multiply(vz_0, _s37, _r5), _multiply(vz_1, tz_6, _r6), _r6), _multiply(vz_2, tz_5, _r5), _r5), _multiply(vz_3, tz_4, _r6), _r6), _multiply(vz_4, tz_3, _r5), _r5), _multiply(vz_5, tz_2, _r6), _r6)
-    _s51 = _multiply(_k54, _add(_add(_add(_add(_s48, _multiply(vx_6, tx_1, _r5), _r5), _multiply(vx_7, tx_0, _r10), _r10), _add(_add(_s49, _multiply(vy_6, ty_1, _r5), _r5), _multiply(vy_7, ty_0, _r4), _r4), _r4), _add(_add(_s50, _multiply(vz_6, tz_1, _r10), _r10), _multiply(vz_7, tz_0, _r6), _r6), _r6), _r6)
-    return _s20, _s24, _s33, _s37, _s41, _s44, _s47, _k54 * _s8, _k54 * _s16, _k54 * _s18, -_s51
+    _s51 = _multiply(_k55, _add(_add(_add(_add(_s48, _multiply(vx_6, tx_1, _r5), _r5), _multiply(vx_7, tx_0, _r10), _r10), _add(_add(_s49, _multiply(vy_6, ty_1, _r5), _r5), _multiply(vy_7, ty_0, _r4), _r4), _r4), _add(_add(_s50, _multiply(vz_6, tz_1, _r10), _r10), _multiply(vz_7, tz_0, _r6), _r6), _r6), _r6)
+    return _s20, _s24, _s33, _s37, _s41, _s44, _s47, _k55 * _s8, _k55 * _s16, _k55 * _s18, -_s51
 
 
 def other_start_surface() -> tuple[Any, ...]:
@@ -2431,19 +2432,19 @@ def roll_moved(x: Any, y: Any, z: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: An
     its series. 142 operations: 59 additions, 83 multiplications.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
-    _s0 = _multiply(t, _add(_multiply(_k97, vx_6, _r0), _multiply(t, _add(_multiply(_k54, vx_7, _r1), _multiply(_multiply(_k101, vx_8, _r2), t, _r2), _r2), _r2), _r2), _r2)
-    _s1 = _add(_multiply(_k52, vx_3, _r0), _multiply(t, _add(_multiply(_k91, vx_4, _r1), _multiply(t, _add(_multiply(_k94, vx_5, _r3), _s0, _r2), _r2), _r2), _r2), _r2)
-    _s2 = _add(vx_0, _multiply(t, _add(_multiply(_k71, vx_1, _r0), _multiply(t, _add(_multiply(_k87, vx_2, _r1), _multiply(t, _s1, _r2), _r2), _r2), _r2), _r2), _r2)
+    _s0 = _multiply(t, _add(_multiply(_k98, vx_6, _r0), _multiply(t, _add(_multiply(_k55, vx_7, _r1), _multiply(_multiply(_k102, vx_8, _r2), t, _r2), _r2), _r2), _r2), _r2)
+    _s1 = _add(_multiply(_k53, vx_3, _r0), _multiply(t, _add(_multiply(_k92, vx_4, _r1), _multiply(t, _add(_multiply(_k95, vx_5, _r3), _s0, _r2), _r2), _r2), _r2), _r2)
+    _s2 = _add(vx_0, _multiply(t, _add(_multiply(_k72, vx_1, _r0), _multiply(t, _add(_multiply(_k88, vx_2, _r1), _multiply(t, _s1, _r2), _r2), _r2), _r2), _r2), _r2)
     _s3 = _add(vx_5, _multiply(t, _add(vx_6, _multiply(t, _add(vx_7, _multiply(vx_8, t, _r0), _r0), _r0), _r0), _r0), _r0)
     _s4 = _add(vx_2, _multiply(t, _add(vx_3, _multiply(t, _add(vx_4, _multiply(t, _s3, _r0), _r0), _r0), _r0), _r0), _r0)
-    _s5 = _multiply(t, _add(_multiply(_k97, vy_6, _r1), _multiply(t, _add(_multiply(_k54, vy_7, _r3), _multiply(_multiply(_k101, vy_8, _r4), t, _r4), _r4), _r4), _r4), _r4)
-    _s6 = _add(_multiply(_k52, vy_3, _r1), _multiply(t, _add(_multiply(_k91, vy_4, _r3), _multiply(t, _add(_multiply(_k94, vy_5, _r5), _s5, _r4), _r4), _r4), _r4), _r4)
-    _s7 = _add(vy_0, _multiply(t, _add(_multiply(_k71, vy_1, _r1), _multiply(t, _add(_multiply(_k87, vy_2, _r3), _multiply(t, _s6, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s5 = _multiply(t, _add(_multiply(_k98, vy_6, _r1), _multiply(t, _add(_multiply(_k55, vy_7, _r3), _multiply(_multiply(_k102, vy_8, _r4), t, _r4), _r4), _r4), _r4), _r4)
+    _s6 = _add(_multiply(_k53, vy_3, _r1), _multiply(t, _add(_multiply(_k92, vy_4, _r3), _multiply(t, _add(_multiply(_k95, vy_5, _r5), _s5, _r4), _r4), _r4), _r4), _r4)
+    _s7 = _add(vy_0, _multiply(t, _add(_multiply(_k72, vy_1, _r1), _multiply(t, _add(_multiply(_k88, vy_2, _r3), _multiply(t, _s6, _r4), _r4), _r4), _r4), _r4), _r4)
     _s8 = _add(vy_5, _multiply(t, _add(vy_6, _multiply(t, _add(vy_7, _multiply(vy_8, t, _r1), _r1), _r1), _r1), _r1), _r1)
     _s9 = _add(vy_2, _multiply(t, _add(vy_3, _multiply(t, _add(vy_4, _multiply(t, _s8, _r1), _r1), _r1), _r1), _r1), _r1)
-    _s10 = _multiply(t, _add(_multiply(_k97, vz_6, _r3), _multiply(t, _add(_multiply(_k54, vz_7, _r5), _multiply(_multiply(_k101, vz_8, _r6), t, _r6), _r6), _r6), _r6), _r6)
-    _s11 = _add(_multiply(_k52, vz_3, _r3), _multiply(t, _add(_multiply(_k91, vz_4, _r5), _multiply(t, _add(_multiply(_k94, vz_5, _r7), _s10, _r6), _r6), _r6), _r6), _r6)
-    _s12 = _add(vz_0, _multiply(t, _add(_multiply(_k71, vz_1, _r3), _multiply(t, _add(_multiply(_k87, vz_2, _r5), _multiply(t, _s11, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s10 = _multiply(t, _add(_multiply(_k98, vz_6, _r3), _multiply(t, _add(_multiply(_k55, vz_7, _r5), _multiply(_multiply(_k102, vz_8, _r6), t, _r6), _r6), _r6), _r6), _r6)
+    _s11 = _add(_multiply(_k53, vz_3, _r3), _multiply(t, _add(_multiply(_k92, vz_4, _r5), _multiply(t, _add(_multiply(_k95, vz_5, _r7), _s10, _r6), _r6), _r6), _r6), _r6)
+    _s12 = _add(vz_0, _multiply(t, _add(_multiply(_k72, vz_1, _r3), _multiply(t, _add(_multiply(_k88, vz_2, _r5), _multiply(t, _s11, _r6), _r6), _r6), _r6), _r6), _r6)
     _s13 = _add(vz_5, _multiply(t, _add(vz_6, _multiply(t, _add(vz_7, _multiply(vz_8, t, _r3), _r3), _r3), _r3), _r3), _r3)
     _s14 = _add(vz_2, _multiply(t, _add(vz_3, _multiply(t, _add(vz_4, _multiply(t, _s13, _r3), _r3), _r3), _r3), _r3), _r3)
     _s15 = _add(turn_rate_5, _multiply(t, _add(turn_rate_6, _multiply(t, _add(turn_rate_7, _multiply(t, turn_rate_8, _r5), _r5), _r5), _r5), _r5), _r5)
@@ -2478,28 +2479,28 @@ def roll_step(p_gravity: Any, p_inertia: Any, nx_8: Any, ny_8: Any, nz_0: Any, n
     _s4 = _add(_add(_add(_absolute(vx_8, _r3), _absolute(vy_8, _r5), _r5), _absolute(vz_8, _r3), _r3), _absolute(turn_rate_8, _r5), _r5)
     _s5 = _add(_multiply(_add(_multiply(_s2, _s0, _r3), _sqrt(_multiply(p_gravity, _s2, _r2), _r2), _r2), _s3, _r2), _s4, _r2)
     _s6 = _multiply(_s1, _add(_add(_absolute(nx_8, _r3), _absolute(ny_8, _r6), _r6), _absolute(nz_8, _r3), _r3), _r3)
-    _s7 = _sqrt(_sqrt(_sqrt(_divide(_multiply(_k103, _s1, _r6), _select(_s5 < _s6, _s6, _s5, _r7), _r6), _r6), _r6), _r6)
+    _s7 = _sqrt(_sqrt(_sqrt(_divide(_multiply(_k104, _s1, _r6), _select(_s5 < _s6, _s6, _s5, _r7), _r6), _r6), _r6), _r6)
     _s8 = _result(_s7 < _k39, _s7, _k39, _r0)
-    _s9 = _multiply(_multiply(_k48, _add(_add(_add(_absolute(vx_2, _r7), _absolute(vy_2, _r3), _r3), _absolute(vz_2, _r7), _r7), _absolute(turn_rate_2, _r3), _r3), _r3), _s8, _r3)
+    _s9 = _multiply(_multiply(_k49, _add(_add(_add(_absolute(vx_2, _r7), _absolute(vy_2, _r3), _r3), _absolute(vz_2, _r7), _r7), _absolute(turn_rate_2, _r3), _r3), _r3), _s8, _r3)
     _s10 = _multiply(_s8, _s8, _r7)
-    _s11 = _multiply(_multiply(_k89, _add(_add(_add(_absolute(vx_3, _r2), _absolute(vy_3, _r8), _r8), _absolute(vz_3, _r2), _r2), _absolute(turn_rate_3, _r8), _r8), _r8), _s10, _r8)
+    _s11 = _multiply(_multiply(_k90, _add(_add(_add(_absolute(vx_3, _r2), _absolute(vy_3, _r8), _r8), _absolute(vz_3, _r2), _r2), _absolute(turn_rate_3, _r8), _r8), _r8), _s10, _r8)
     _s12 = _multiply(_s8, _s10, _r2)
-    _s13 = _multiply(_multiply(_k90, _add(_add(_add(_absolute(vx_4, _r9), _absolute(vy_4, _r10), _r10), _absolute(vz_4, _r9), _r9), _absolute(turn_rate_4, _r10), _r10), _r10), _s12, _r10)
+    _s13 = _multiply(_multiply(_k91, _add(_add(_add(_absolute(vx_4, _r9), _absolute(vy_4, _r10), _r10), _absolute(vz_4, _r9), _r9), _absolute(turn_rate_4, _r10), _r10), _r10), _s12, _r10)
     _s14 = _multiply(_s10, _s10, _r9)
-    _s15 = _multiply(_multiply(_k93, _add(_add(_add(_absolute(vx_5, _r11), _absolute(vy_5, _r12), _r12), _absolute(vz_5, _r11), _r11), _absolute(turn_rate_5, _r12), _r12), _r12), _s14, _r12)
+    _s15 = _multiply(_multiply(_k94, _add(_add(_add(_absolute(vx_5, _r11), _absolute(vy_5, _r12), _r12), _absolute(vz_5, _r11), _r11), _absolute(turn_rate_5, _r12), _r12), _r12), _s14, _r12)
     _s16 = _multiply(_s8, _s14, _r11)
     _s17 = _multiply(_multiply(_k3, _add(_add(_add(_absolute(vx_6, _r13), _absolute(vy_6, _r14), _r14), _absolute(vz_6, _r13), _r13), _absolute(turn_rate_6, _r14), _r14), _r14), _s16, _r14)
-    _s18 = _add(_add(_add(_add(_add(_add(_s9, _s11, _r8), _s13, _r10), _s15, _r12), _s17, _r14), _multiply(_multiply(_k99, _s3, _r4), _multiply(_s10, _s14, _r12), _r4), _r4), _multiply(_multiply(_k51, _s4, _r5), _multiply(_s12, _s14, _r14), _r5), _r5)
+    _s18 = _add(_add(_add(_add(_add(_add(_s9, _s11, _r8), _s13, _r10), _s15, _r12), _s17, _r14), _multiply(_multiply(_k100, _s3, _r4), _multiply(_s10, _s14, _r12), _r4), _r4), _multiply(_multiply(_k52, _s4, _r5), _multiply(_s12, _s14, _r14), _r5), _r5)
     _s19 = _s18 + _add(_add(_add(_absolute(vx_1, _r4), _absolute(vy_1, _r14), _r14), _absolute(vz_1, _r4), _r4), _absolute(turn_rate_1, _r14), _r14)
     _s20 = p_inertia * (1.0 / (1.0 + p_inertia))
     _s21 = _multiply(p_gravity, nz_1, _r14)
     _s22 = _multiply(_multiply(_k3, _absolute(_add(lift_3, _multiply(_multiply(p_gravity, nz_3, _r5), _s20, _r5), _r5), _r5), _r5), _s8, _r5)
-    _s23 = _multiply(_multiply(_k104, _absolute(_add(lift_4, _multiply(_multiply(p_gravity, nz_4, _r4), _s20, _r4), _r4), _r4), _r4), _s10, _r4)
-    _s24 = _multiply(_multiply(_k105, _absolute(_add(lift_5, _multiply(_multiply(p_gravity, nz_5, _r7), _s20, _r7), _r7), _r7), _r7), _s12, _r7)
-    _s25 = _multiply(_multiply(_k106, _absolute(_add(lift_6, _multiply(_multiply(p_gravity, nz_6, _r2), _s20, _r2), _r2), _r2), _r2), _s14, _r2)
-    _s26 = _multiply(_multiply(_k107, _absolute(_add(lift_7, _multiply(_multiply(p_gravity, nz_7, _r9), _s20, _r9), _r9), _r9), _r9), _s16, _r9)
-    _s27 = _add(_add(_add(_add(_s22, _s23, _r4), _s24, _r7), _s25, _r2), _s26, _r9) + _multiply(_k48, _absolute(_add(lift_2, _multiply(_multiply(p_gravity, nz_2, _r2), _s20, _r2), _r2), _r2), _r2)
-    return _s8, _k72 * _s1, _s19, _multiply(_s19, _s8, _r6) + _s0, lift_0 + _multiply(_multiply(p_gravity, nz_0, _r6), _s20, _r6), lift_1 + _multiply(_s21, _s20, _r6), _s27, -_multiply(_multiply(_k48, _negative(_s21, _r14), _r14), _s20, _r14)
+    _s23 = _multiply(_multiply(_k105, _absolute(_add(lift_4, _multiply(_multiply(p_gravity, nz_4, _r4), _s20, _r4), _r4), _r4), _r4), _s10, _r4)
+    _s24 = _multiply(_multiply(_k106, _absolute(_add(lift_5, _multiply(_multiply(p_gravity, nz_5, _r7), _s20, _r7), _r7), _r7), _r7), _s12, _r7)
+    _s25 = _multiply(_multiply(_k107, _absolute(_add(lift_6, _multiply(_multiply(p_gravity, nz_6, _r2), _s20, _r2), _r2), _r2), _r2), _s14, _r2)
+    _s26 = _multiply(_multiply(_k108, _absolute(_add(lift_7, _multiply(_multiply(p_gravity, nz_7, _r9), _s20, _r9), _r9), _r9), _r9), _s16, _r9)
+    _s27 = _add(_add(_add(_add(_s22, _s23, _r4), _s24, _r7), _s25, _r2), _s26, _r9) + _multiply(_k49, _absolute(_add(lift_2, _multiply(_multiply(p_gravity, nz_2, _r2), _s20, _r2), _r2), _r2), _r2)
+    return _s8, _k73 * _s1, _s19, _multiply(_s19, _s8, _r6) + _s0, lift_0 + _multiply(_multiply(p_gravity, nz_0, _r6), _s20, _r6), lift_1 + _multiply(_s21, _s20, _r6), _s27, -_multiply(_multiply(_k49, _negative(_s21, _r14), _r14), _s20, _r14)
 
 
 def roll_turn_rate(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
@@ -2582,8 +2583,8 @@ def near_body(gap: Any, nearest: Any, second_contact_gap: Any, rolling_gap_accel
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
     _s0 = _absolute(gap, _r0)
     _s1 = _absolute(rolling_gap_acceleration, _r1)
-    _s2 = _multiply(_k114, press, _r2)
-    _s3 = _select(_logical_and((rolling_gap_acceleration < _multiply(_k115, press, _r3)), (normal_cosine < _k116)), _add(_divide(_multiply(_k71, _multiply(nearing, nearing, _r3), _r3), _select(_s1 < _s2, _s2, _s1, _r4), _r3), _s0, _r3), _k5, _r4)
+    _s2 = _multiply(_k115, press, _r2)
+    _s3 = _select(_logical_and((rolling_gap_acceleration < _multiply(_k116, press, _r3)), (normal_cosine < _k117)), _add(_divide(_multiply(_k72, _multiply(nearing, nearing, _r3), _r3), _select(_s1 < _s2, _s2, _s1, _r4), _r3), _s0, _r3), _k5, _r4)
     return _result(_s0 < nearest, _s0, nearest, _r0), _result(_s3 < second_contact_gap, _s3, second_contact_gap, _r0)
 
 
@@ -2619,7 +2620,7 @@ def leaving_force(p_ball_radius: Any, p_gravity: Any, vx: Any, vx_1: Any, vy: An
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _room[:11]
     _s0 = _absolute(per_reach, _r0)
     _s1 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), _s0, _r1), _r1)
-    _s2 = _multiply(_k121, _s1, _r2)
+    _s2 = _multiply(_k122, _s1, _r2)
     _s3 = force_rate < _k4
     _s4 = _logical_or((force < _negative(_s2, _r3)), _logical_and((force <= _s2), _s3))
     _s5 = _negative(_add(force_rate, friction_force_rate, _r3), _r3)
@@ -2628,14 +2629,14 @@ def leaving_force(p_ball_radius: Any, p_gravity: Any, vx: Any, vx_1: Any, vy: An
     _s8 = _logical_and(_s4, _logical_not(_s7))
     _s9 = _logical_and((_add(_add(_absolute(vx, _r3), _absolute(vy, _r5), _r5), _absolute(vz, _r3), _r3) <= (5.684341886080802e-14 * _sqrt((p_ball_radius * p_gravity)))), (_add(_add(_absolute(vx_1, _r3), _absolute(vy_1, _r5), _r5), _absolute(vz_1, _r3), _r3) <= (5.684341886080802e-14 * p_gravity)))
     _s10 = _multiply(force_rate, force_rate, _r3)
-    _s11 = _add(force_bend, _multiply(_k115, _s1, _r5), _r5)
+    _s11 = _add(force_bend, _multiply(_k116, _s1, _r5), _r5)
     _s12 = _select(_s7, _s6, _select(force < _k4, _k4, force, _r6), _r7)
-    _s13 = _add(_s10, _multiply(_multiply(_k48, _s11, _r8), _s12, _r8), _r8)
+    _s13 = _add(_s10, _multiply(_multiply(_k49, _s11, _r8), _s12, _r8), _r8)
     _s14 = _sqrt(_s13, _r9)
-    _s15 = _select(_k4 <= _s13, _divide(_select(_s3, _multiply(_k48, _s12, _r7), _add(force_rate, _s14, _r6), _r4), _select(_s3, _subtract(_s14, force_rate, _r9), _select(_k4 < _s11, _s11, _k4, _r8), _r10), _r4), _k5, _r6)
-    _s16 = _add(_multiply(_multiply(_k51, _s0, _r0), _add(_multiply(position_error, _s1, _r1), _multiply(velocity_error, fastest, _r7), _r7), _r0), _s2, _r0)
-    _s17 = _logical_or(_s7, _logical_and((_absolute(force, _r2) <= _s16), _logical_not((_multiply(_multiply(_k51, _s11, _r5), _s16, _r5) < _s10))))
-    return _result(_logical_or(_s8, _s9), _k4, _select(_s15 < stride, _s15, stride, _r5), _r0), _result(_logical_and(_s8, (which == _k77)), _k3, which, _r0), _logical_and(_s9, _logical_not(_s8)), _result(_s17, _k4, undecided_time, _r0)
+    _s15 = _select(_k4 <= _s13, _divide(_select(_s3, _multiply(_k49, _s12, _r7), _add(force_rate, _s14, _r6), _r4), _select(_s3, _subtract(_s14, force_rate, _r9), _select(_k4 < _s11, _s11, _k4, _r8), _r10), _r4), _k5, _r6)
+    _s16 = _add(_multiply(_multiply(_k52, _s0, _r0), _add(_multiply(position_error, _s1, _r1), _multiply(velocity_error, fastest, _r7), _r7), _r0), _s2, _r0)
+    _s17 = _logical_or(_s7, _logical_and((_absolute(force, _r2) <= _s16), _logical_not((_multiply(_multiply(_k52, _s11, _r5), _s16, _r5) < _s10))))
+    return _result(_logical_or(_s8, _s9), _k4, _select(_s15 < stride, _s15, stride, _r5), _r0), _result(_logical_and(_s8, (which == _k78)), _k3, which, _r0), _logical_and(_s9, _logical_not(_s8)), _result(_s17, _k4, undecided_time, _r0)
 
 
 def beside_body(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any, which: Any, earliest_delay: Any, undecided_time: Any, position_error: Any, nearing: Any, gap_curvature: Any, stride: Any, strongest: Any, fastest: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2644,21 +2645,21 @@ def beside_body(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any
     a parabola below the distance. 55 operations: 7 additions, 1 subtraction, 12 multiplications, 2 divisions, 1 square root, 1 negation, 4 absolute values, 9 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 10 selections.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = _multiply(_k123, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
+    _s0 = _multiply(_k124, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
     _s1 = gap <= _s0
     _s2 = nearing < _k4
     _s3 = _logical_and(_s1, _s2)
     _s4 = _multiply(nearing, nearing, _r1)
     _s5 = _add(strongest, _multiply(gap_curvature, _multiply(fastest, fastest, _r2), _r2), _r2)
     _s6 = _select(_s1, 3.637978807091713e-12 * p_ball_radius, gap, _r3)
-    _s7 = _add(_s4, _multiply(_multiply(_k48, _s5, _r4), _s6, _r4), _r4)
+    _s7 = _add(_s4, _multiply(_multiply(_k49, _s5, _r4), _s6, _r4), _r4)
     _s8 = _sqrt(_s7, _r5)
-    _s9 = _select(_k4 <= _s7, _divide(_select(_s2, _multiply(_k48, _s6, _r3), _add(nearing, _s8, _r4), _r6), _select(_s2, _subtract(_s8, nearing, _r5), _select(_k4 < _s5, _s5, _k4, _r7), _r8), _r6), _k5, _r4)
-    _s10 = which == _k77
+    _s9 = _select(_k4 <= _s7, _divide(_select(_s2, _multiply(_k49, _s6, _r3), _add(nearing, _s8, _r4), _r6), _select(_s2, _subtract(_s8, nearing, _r5), _select(_k4 < _s5, _s5, _k4, _r7), _r8), _r6), _k5, _r4)
+    _s10 = which == _k78
     _s11 = _logical_and(_s3, _s10)
-    _s12 = _add(_multiply(_k48, position_error, _r3), _s0, _r3)
-    _s13 = _logical_or(_logical_and(_logical_and((gap <= _s12), (_negative(_s12, _r0) <= gap)), _logical_not((_multiply(_multiply(_k51, _s12, _r0), _s5, _r0) < _s4))), _logical_and(_s3, _logical_not(_s10)))
-    return _result(_s3, _k4, _select(_s9 < stride, _s9, stride, _r0), _r0), _result(_s11, index, which, _r0), _result(_s13, _k4, undecided_time, _r0), _result(_s11, _divide(_multiply(_k48, _s12, _r3), _absolute(nearing, _r0), _r3), earliest_delay, _r0)
+    _s12 = _add(_multiply(_k49, position_error, _r3), _s0, _r3)
+    _s13 = _logical_or(_logical_and(_logical_and((gap <= _s12), (_negative(_s12, _r0) <= gap)), _logical_not((_multiply(_multiply(_k52, _s12, _r0), _s5, _r0) < _s4))), _logical_and(_s3, _logical_not(_s10)))
+    return _result(_s3, _k4, _select(_s9 < stride, _s9, stride, _r0), _r0), _result(_s11, index, which, _r0), _result(_s13, _k4, undecided_time, _r0), _result(_s11, _divide(_multiply(_k49, _s12, _r3), _absolute(nearing, _r0), _r3), earliest_delay, _r0)
 
 
 def beside_end_plane(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any, which: Any, earliest_delay: Any, undecided_time: Any, position_error: Any, nearing: Any, gap_curvature: Any, stride: Any, strongest: Any, fastest: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2667,20 +2668,20 @@ def beside_end_plane(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index
     a parabola below the distance. 60 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 2 negations, 4 absolute values, 12 comparisons, 6 conjunctions, 1 disjunction, 2 complements, 11 selections.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8 = _room[:9]
-    _s0 = _multiply(_k123, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
+    _s0 = _multiply(_k124, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
     _s1 = nearing < _k4
     _s2 = _logical_and(_logical_and((gap <= _s0), _s1), (_negative(_s0, _r1) <= gap))
     _s3 = _multiply(nearing, nearing, _r1)
     _s4 = _add(strongest, _multiply(gap_curvature, _multiply(fastest, fastest, _r2), _r2), _r2)
     _s5 = _select(gap < _k4, _k4, gap, _r3)
-    _s6 = _add(_s3, _multiply(_multiply(_k48, _s4, _r4), _s5, _r4), _r4)
+    _s6 = _add(_s3, _multiply(_multiply(_k49, _s4, _r4), _s5, _r4), _r4)
     _s7 = _sqrt(_s6, _r5)
-    _s8 = _select(_k4 < gap, _select(_k4 <= _s6, _divide(_select(_s1, _multiply(_k48, _s5, _r3), _add(nearing, _s7, _r4), _r6), _select(_s1, _subtract(_s7, nearing, _r5), _select(_k4 < _s4, _s4, _k4, _r7), _r8), _r6), _k5, _r4), _k5, _r3)
-    _s9 = which == _k77
+    _s8 = _select(_k4 < gap, _select(_k4 <= _s6, _divide(_select(_s1, _multiply(_k49, _s5, _r3), _add(nearing, _s7, _r4), _r6), _select(_s1, _subtract(_s7, nearing, _r5), _select(_k4 < _s4, _s4, _k4, _r7), _r8), _r6), _k5, _r4), _k5, _r3)
+    _s9 = which == _k78
     _s10 = _logical_and(_s2, _s9)
-    _s11 = _add(_multiply(_k48, position_error, _r8), _s0, _r8)
-    _s12 = _logical_or(_logical_and(_logical_and((gap <= _s11), (_negative(_s11, _r0) <= gap)), _logical_not((_multiply(_multiply(_k51, _s11, _r0), _s4, _r0) < _s3))), _logical_and(_s2, _logical_not(_s9)))
-    return _result(_s2, _k4, _select(_s8 < stride, _s8, stride, _r0), _r0), _result(_s10, index, which, _r0), _result(_s12, _k4, undecided_time, _r0), _result(_s10, _divide(_multiply(_k48, _s11, _r8), _absolute(nearing, _r0), _r8), earliest_delay, _r0)
+    _s11 = _add(_multiply(_k49, position_error, _r8), _s0, _r8)
+    _s12 = _logical_or(_logical_and(_logical_and((gap <= _s11), (_negative(_s11, _r0) <= gap)), _logical_not((_multiply(_multiply(_k52, _s11, _r0), _s4, _r0) < _s3))), _logical_and(_s2, _logical_not(_s9)))
+    return _result(_s2, _k4, _select(_s8 < stride, _s8, stride, _r0), _r0), _result(_s10, index, which, _r0), _result(_s12, _k4, undecided_time, _r0), _result(_s10, _divide(_multiply(_k49, _s11, _r8), _absolute(nearing, _r0), _r8), earliest_delay, _r0)
 
 
 def beside_seam(gap: Any, near: Any, nearing: Any, stride: Any, strongest: Any, fastest: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2692,11 +2693,11 @@ def beside_seam(gap: Any, near: Any, nearing: Any, stride: Any, strongest: Any, 
     _s0 = _absolute(gap, _r0)
     _s1 = _s0 <= near
     _s2 = _select(_s1, _k4, _s0, _r1)
-    _s3 = _select(_s1, _add(_multiply(_k114, fastest, _r2), _absolute(nearing, _r3), _r3), _select(_k4 < gap, nearing, _negative(nearing, _r2), _r4), _r5)
-    _s4 = _add(_multiply(_multiply(_k48, strongest, _r6), _s2, _r6), _multiply(_s3, _s3, _r7), _r7)
+    _s3 = _select(_s1, _add(_multiply(_k115, fastest, _r2), _absolute(nearing, _r3), _r3), _select(_k4 < gap, nearing, _negative(nearing, _r2), _r4), _r5)
+    _s4 = _add(_multiply(_multiply(_k49, strongest, _r6), _s2, _r6), _multiply(_s3, _s3, _r7), _r7)
     _s5 = _sqrt(_s4, _r6)
     _s6 = _s3 < _k4
-    _s7 = _select(_k4 <= _s4, _divide(_select(_s6, _multiply(_k48, _s2, _r1), _add(_s5, _s3, _r0), _r7), _select(_s6, _subtract(_s5, _s3, _r6), _select(_k4 < strongest, strongest, _k4, _r5), _r4), _r7), _k5, _r0)
+    _s7 = _select(_k4 <= _s4, _divide(_select(_s6, _multiply(_k49, _s2, _r1), _add(_s5, _s3, _r0), _r7), _select(_s6, _subtract(_s5, _s3, _r6), _select(_k4 < strongest, strongest, _k4, _r5), _r4), _r7), _k5, _r0)
     return _result(_s7 < stride, _s7, stride, _r0),
 
 
@@ -2735,10 +2736,10 @@ def neighbour_free_time(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: Any, fre
     _s0 = _add(_add(_add(0.0078125 * p_gravity, _absolute(vx, _r0), _r0), _absolute(vy, _r1), _r1), _absolute(vz, _r0), _r0)
     _s1 = _add(p_gravity, _multiply(gap_curvature, _multiply(_s0, _s0, _r0), _r0), _r0)
     _s2 = _select(gap < _k4, _k4, gap, _r1)
-    _s3 = _add(_multiply(nearing, nearing, _r2), _multiply(_multiply(_k48, _s1, _r3), _s2, _r3), _r3)
+    _s3 = _add(_multiply(nearing, nearing, _r2), _multiply(_multiply(_k49, _s1, _r3), _s2, _r3), _r3)
     _s4 = _sqrt(_s3, _r2)
     _s5 = nearing < _k4
-    _s6 = _select(_k4 <= _s3, _divide(_select(_s5, _multiply(_k48, _s2, _r1), _add(nearing, _s4, _r3), _r4), _select(_s5, _subtract(_s4, nearing, _r2), _select(_k4 < _s1, _s1, _k4, _r5), _r6), _r4), _k5, _r3)
+    _s6 = _select(_k4 <= _s3, _divide(_select(_s5, _multiply(_k49, _s2, _r1), _add(nearing, _s4, _r3), _r4), _select(_s5, _subtract(_s4, nearing, _r2), _select(_k4 < _s1, _s1, _k4, _r5), _r6), _r4), _k5, _r3)
     return _result(_s6 < free_time, _s6, free_time, _r0),
 
 
@@ -2753,20 +2754,20 @@ def end_plane_free_time(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: Any, und
     _s2 = _add(_add(_add(0.0078125 * p_gravity, _absolute(vx, _r1), _r1), _absolute(vy, _r2), _r2), _absolute(vz, _r1), _r1)
     _s3 = _add(p_gravity, _multiply(gap_curvature, _multiply(_s2, _s2, _r1), _r1), _r1)
     _s4 = _select(gap < _k4, _k4, gap, _r2)
-    _s5 = _multiply(_k48, _s3, _r3)
+    _s5 = _multiply(_k49, _s3, _r3)
     _s6 = _add(_s1, _multiply(_s5, _s4, _r4), _r4)
     _s7 = _sqrt(_s6, _r5)
     _s8 = _select(_k4 < _s3, _s3, _k4, _r6)
     _s9 = nearing < _k4
-    _s10 = _select(_k4 <= _s6, _divide(_select(_s9, _multiply(_k48, _s4, _r2), _add(nearing, _s7, _r4), _r7), _select(_s9, _subtract(_s7, nearing, _r5), _s8, _r8), _r7), _k5, _r4)
+    _s10 = _select(_k4 <= _s6, _divide(_select(_s9, _multiply(_k49, _s4, _r2), _add(nearing, _s7, _r4), _r7), _select(_s9, _subtract(_s7, nearing, _r5), _s8, _r8), _r7), _k5, _r4)
     _s11 = _negative(gap, _r2)
     _s12 = _select(_s11 < _k4, _k4, _s11, _r8)
     _s13 = _add(_s1, _multiply(_s5, _s12, _r3), _r3)
     _s14 = _sqrt(_s13, _r0)
     _s15 = _negative(nearing, _r5) < _k4
-    _s16 = _select(_k4 <= _s13, _divide(_select(_s15, _multiply(_k48, _s12, _r8), _subtract(_s14, nearing, _r2), _r3), _select(_s15, _add(nearing, _s14, _r0), _s8, _r5), _r3), _k5, _r2)
+    _s16 = _select(_k4 <= _s13, _divide(_select(_s15, _multiply(_k49, _s12, _r8), _subtract(_s14, nearing, _r2), _r3), _select(_s15, _add(nearing, _s14, _r0), _s8, _r5), _r3), _k5, _r2)
     _s17 = _divide(_absolute(nearing, _r8), _s3, _r8)
-    return _result(_s0, _select(_s10 < free_time, _s10, free_time, _r1), free_time, _r0), _result(_logical_or(_s0, (_k126 < _select(_s16 < _s17, _s17, _s16, _r1))), undecided_time, _k4, _r0)
+    return _result(_s0, _select(_s10 < free_time, _s10, free_time, _r1), free_time, _r0), _result(_logical_or(_s0, (_k127 < _select(_s16 < _s17, _s17, _s16, _r1))), undecided_time, _k4, _r0)
 
 
 def seam_free_time(p_gravity: Any, gap: Any, free_time: Any, near: Any, nearing: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2780,7 +2781,7 @@ def seam_free_time(p_gravity: Any, gap: Any, free_time: Any, near: Any, nearing:
     _s2 = _add(_multiply(2.0 * p_gravity, _s0, _r3), _multiply(_s1, _s1, _r4), _r4)
     _s3 = _sqrt(_s2, _r3)
     _s4 = _s1 < _k4
-    _s5 = _select(_k4 <= _s2, _divide(_select(_s4, _multiply(_k48, _s0, _r4), _add(_s3, _s1, _r5), _r6), _select(_s4, _subtract(_s3, _s1, _r3), _where(0.0 < p_gravity, p_gravity, 0.0), _r2), _r6), _k5, _r5)
+    _s5 = _select(_k4 <= _s2, _divide(_select(_s4, _multiply(_k49, _s0, _r4), _add(_s3, _s1, _r5), _r6), _select(_s4, _subtract(_s3, _s1, _r3), _where(0.0 < p_gravity, p_gravity, 0.0), _r2), _r6), _k5, _r5)
     return _result(_s0 <= near, free_time, _select(_s5 < free_time, _s5, free_time, _r0), _r0),
 
 
@@ -2791,27 +2792,27 @@ def separated(p_gravity: Any, vx: Any, vy: Any, vz: Any, undecided_time: Any, po
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _room[:18]
     _s0 = _subtract(time_limit, clock, _r0)
-    _s1 = _multiply(_k52, free_time, _r1)
+    _s1 = _multiply(_k53, free_time, _r1)
     _s2 = _add(_add(_add(0.0078125 * p_gravity, _absolute(vx, _r2), _r2), _absolute(vy, _r3), _r3), _absolute(vz, _r2), _r2)
     _s3 = _absolute(per_reach, _r3)
     _s4 = _add(p_gravity, _multiply(_multiply(_s2, _s2, _r4), _s3, _r4), _r4)
     _s5 = _add(_add(_k39, _multiply(_s2, _s3, _r5), _r5), _sqrt(_multiply(p_gravity, _s3, _r6), _r6), _r6)
-    _s6 = _multiply(_multiply(_k64, _s4, _r5), _multiply(_s5, _multiply(_s5, _s5, _r7), _r7), _r5)
-    _s7 = _multiply(_k71, gap_jerk, _r7)
+    _s6 = _multiply(_multiply(_k65, _s4, _r5), _multiply(_s5, _multiply(_s5, _s5, _r7), _r7), _r5)
+    _s7 = _multiply(_k72, gap_jerk, _r7)
     _s8 = _sqrt(_divide(_s7, _s6, _r8), _r8)
-    _s9 = _multiply(_k78, _s6, _r9)
+    _s9 = _multiply(_k79, _s6, _r9)
     _s10 = _add(_absolute(gap_snap, _r10), _s9, _r10)
     _s11 = _divide(_s7, _s10, _r7)
     _s12 = _select(_k4 < lift, lift, _k4, _r11)
-    _s13 = _sqrt(_divide(_multiply(_k127, _s12, _r12), _s6, _r12), _r12)
-    _s14 = _sqrt(_divide(_multiply(_k71, _s12, _r5), _s10, _r5), _r5)
-    _s15 = _divide(_s12, _add(_multiply(_k90, _absolute(gap_jerk, _r10), _r10), _s9, _r10), _r10)
+    _s13 = _sqrt(_divide(_multiply(_k128, _s12, _r12), _s6, _r12), _r12)
+    _s14 = _sqrt(_divide(_multiply(_k72, _s12, _r5), _s10, _r5), _r5)
+    _s15 = _divide(_s12, _add(_multiply(_k91, _absolute(gap_jerk, _r10), _r10), _s9, _r10), _r10)
     _s16 = _select(_s14 < _s15, _s14, _s15, _r11)
     _s17 = _select(_k4 < gap_jerk, _select(_s8 < _s11, _s8, _s11, _r9), _select(_s13 < _s16, _s13, _s16, _r13), _r14)
-    _s18 = _select(_s17 < _k126, _s17, _k126, _r15)
+    _s18 = _select(_s17 < _k127, _s17, _k127, _r15)
     _s19 = _select(_s1 < _s18, _s1, _s18, _r16)
     _s20 = _select(_s0 < _s19, _s0, _s19, _r17)
-    _s21 = _add(5.684341886080802e-14 * p_gravity, _multiply(_multiply(_k63, _add(_multiply(position_error, _s4, _r4), _multiply(velocity_error, _s2, _r2), _r2), _r2), _s3, _r2), _r2)
+    _s21 = _add(5.684341886080802e-14 * p_gravity, _multiply(_multiply(_k64, _add(_multiply(position_error, _s4, _r4), _multiply(velocity_error, _s2, _r2), _r2), _r2), _s3, _r2), _r2)
     return _result(_k4 < _s20, _s20, _k4, _r0), _result(_logical_or((_multiply(_s21, _s5, _r6) < gap_jerk), (_s21 < lift)), undecided_time, _k4, _r0)
 
 
@@ -2833,7 +2834,7 @@ def neighbour_scale(p_ball_radius: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy
     _s9 = _absolute(dy, _r9)
     _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
     _s11 = _absolute(dz, _r11)
-    _s12 = _add(_add(1.1102230246251565e-16 * p_ball_radius, _multiply(_k54, _add(_multiply(p_ball_radius, _select(_s2 < _s3, _s3, _s2, _r12), _r12), _select(_s6 < _s7, _s7, _s6, _r3), _r3), _r3), _r3), _select(_s10 < _s11, _s11, _s10, _r7), _r7)
+    _s12 = _add(_add(1.1102230246251565e-16 * p_ball_radius, _multiply(_k55, _add(_multiply(p_ball_radius, _select(_s2 < _s3, _s3, _s2, _r12), _r12), _select(_s6 < _s7, _s7, _s6, _r3), _r3), _r3), _r3), _select(_s10 < _s11, _s11, _s10, _r7), _r7)
     return (2.384185791015625e-07 * p_ball_radius) / _s12,
 
 
@@ -2878,12 +2879,12 @@ def carry_hop(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, dx: Any, dy: An
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7 = _room[:8]
     _s0 = _add(dx, _multiply(dvx, when, _r0), _r0)
-    _s1 = _multiply(_k48, when, _r1)
-    _s2 = _multiply(_k50, _add(_multiply(_s1, _absolute(vx, _r2), _r2), _absolute(x, _r3), _r3), _r3)
+    _s1 = _multiply(_k49, when, _r1)
+    _s2 = _multiply(_k51, _add(_multiply(_s1, _absolute(vx, _r2), _r2), _absolute(x, _r3), _r3), _r3)
     _s3 = _add(dy, _multiply(dvy, when, _r2), _r2)
-    _s4 = _multiply(_k50, _add(_multiply(_s1, _absolute(vy, _r4), _r4), _absolute(y, _r5), _r5), _r5)
+    _s4 = _multiply(_k51, _add(_multiply(_s1, _absolute(vy, _r4), _r4), _absolute(y, _r5), _r5), _r5)
     _s5 = _add(dz, _multiply(dvz, when, _r4), _r4)
-    _s6 = _multiply(_k50, _add(_multiply(_s1, _absolute(vz, _r6), _r6), _absolute(z, _r1), _r1), _r1)
+    _s6 = _multiply(_k51, _add(_multiply(_s1, _absolute(vz, _r6), _r6), _absolute(z, _r1), _r1), _r1)
     return _s0 + _select(_s0 < _k4, _negative(_s2, _r6), _s2, _r7), _s3 + _select(_s3 < _k4, _negative(_s4, _r7), _s4, _r6), _s5 + _select(_s5 < _k4, _negative(_s6, _r6), _s6, _r7)
 
 
@@ -2937,7 +2938,7 @@ def start_errors(p_ball_radius: Any, x: Any, y: Any, z: Any, dx: Any, dy: Any, d
     its bound. 17 operations: 6 additions, 1 multiplication, 1 negation, 3 absolute values, 3 comparisons, 3 selections.
     """
     _r0, _r1, _r2 = _room[:3]
-    _s0 = _multiply(_k75, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
+    _s0 = _multiply(_k76, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
     _s1 = _negative(_s0, _r1)
     return dx + _select(dx < _k4, _s1, _s0, _r2), dy + _select(dy < _k4, _s1, _s0, _r2), dz + _select(dz < _k4, _s1, _s0, _r2)
 
@@ -3030,16 +3031,16 @@ def stay_in_contact(last: Any, which: Any, undecided_time: Any, body: Any, clock
     Table 1. 41 operations: 3 additions, 1 subtraction, 1 multiplication, 10 comparisons, 2 conjunctions, 5 disjunctions, 1 complement, 18 selections.
     """
     _r0, _r1, _r2, _r3, _r4 = _room[:5]
-    _s0 = which == _k93
-    _s1 = _multiply(_k48, _select(held == _k48, _k48, _select(held == _k39, _k39, _select(held == _k4, _k4, _k77, _r0), _r1), _r2), _r2)
+    _s0 = which == _k94
+    _s1 = _multiply(_k49, _select(held == _k49, _k49, _select(held == _k39, _k39, _select(held == _k4, _k4, _k78, _r0), _r1), _r2), _r2)
     _s2 = which == _k3
-    _s3 = which == _k99
-    _s4 = which == _k51
-    _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= _k130))
-    _s6 = _k90 < which
-    _s7 = mode == _k93
-    _s8 = _result(_s5, _k48, _select(_s4, _k3, _select(rests, _k93, _select(_logical_or(_logical_or(_s6, rolling), _s7), _k77, reached, _r1), _r0), _r3), _r0)
-    return _result(_s0, _add(_k90, _s1, _r3), _select(_s2, _add(_k93, _s1, _r2), _select(_s3, _k77, _select(_s4, _k89, body, _r0), _r1), _r4), _r0), _s8, _result(_s5, _k4, undecided_time, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k77, last, _r0), _result(_logical_or(_s0, rolling), _k48, _select(_s7, _k93, _select(_s2, _k89, _k4, _r4), _r1), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k77, _r0), _result(_s0, _add(_k39, rolls, _r1), rolls, _r0)
+    _s3 = which == _k100
+    _s4 = which == _k52
+    _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= _k131))
+    _s6 = _k91 < which
+    _s7 = mode == _k94
+    _s8 = _result(_s5, _k49, _select(_s4, _k3, _select(rests, _k94, _select(_logical_or(_logical_or(_s6, rolling), _s7), _k78, reached, _r1), _r0), _r3), _r0)
+    return _result(_s0, _add(_k91, _s1, _r3), _select(_s2, _add(_k94, _s1, _r2), _select(_s3, _k78, _select(_s4, _k90, body, _r0), _r1), _r4), _r0), _s8, _result(_s5, _k4, undecided_time, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k78, last, _r0), _result(_logical_or(_s0, rolling), _k49, _select(_s7, _k94, _select(_s2, _k90, _k4, _r4), _r1), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k78, _r0), _result(_s0, _add(_k39, rolls, _r1), rolls, _r0)
 
 
 def settled(index: Any, outcome: Any, uncertain: Any, undecided: Any, mode: Any, settles: Any, nearly: Any, lodges: Any, slides: Any, unpressed: Any) -> tuple[Any, ...]:
@@ -3063,9 +3064,9 @@ def ring_friction(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, ny_0: An
     _s3 = _multiply(_add(_multiply(ny_0, _s0, _r1), _multiply(turn_rate_0, ty_0, _r3), _r3), _s1, _r3)
     _s4 = _multiply(_add(_add(p_gravity, _multiply(nz_0, _s0, _r1), _r1), _multiply(turn_rate_0, tz_0, _r4), _r4), _s1, _r4)
     _s5 = _negative(_multiply(p_gravity, nz_1, _r1), _r1)
-    _s6 = _multiply(_multiply(_k48, _s2, _r5), _multiply(_add(_add(_add(_multiply(nx_0, _s5, _r6), _multiply(nx_1, _s0, _r7), _r7), _multiply(turn_rate_0, tx_1, _r6), _r6), _multiply(turn_rate_1, tx_0, _r7), _r7), _s1, _r7), _r5)
-    _s7 = _multiply(_multiply(_k48, _s3, _r7), _multiply(_add(_add(_add(_multiply(ny_0, _s5, _r6), _multiply(ny_1, _s0, _r8), _r8), _multiply(turn_rate_0, ty_1, _r6), _r6), _multiply(turn_rate_1, ty_0, _r8), _r8), _s1, _r8), _r7)
-    _s8 = _multiply(_multiply(_k48, _s4, _r8), _multiply(_add(_add(_add(_multiply(nz_0, _s5, _r1), _multiply(nz_1, _s0, _r0), _r0), _multiply(turn_rate_0, tz_1, _r1), _r1), _multiply(turn_rate_1, tz_0, _r0), _r0), _s1, _r0), _r8)
+    _s6 = _multiply(_multiply(_k49, _s2, _r5), _multiply(_add(_add(_add(_multiply(nx_0, _s5, _r6), _multiply(nx_1, _s0, _r7), _r7), _multiply(turn_rate_0, tx_1, _r6), _r6), _multiply(turn_rate_1, tx_0, _r7), _r7), _s1, _r7), _r5)
+    _s7 = _multiply(_multiply(_k49, _s3, _r7), _multiply(_add(_add(_add(_multiply(ny_0, _s5, _r6), _multiply(ny_1, _s0, _r8), _r8), _multiply(turn_rate_0, ty_1, _r6), _r6), _multiply(turn_rate_1, ty_0, _r8), _r8), _s1, _r8), _r7)
+    _s8 = _multiply(_multiply(_k49, _s4, _r8), _multiply(_add(_add(_add(_multiply(nz_0, _s5, _r1), _multiply(nz_1, _s0, _r0), _r0), _multiply(turn_rate_0, tz_1, _r1), _r1), _multiply(turn_rate_1, tz_0, _r0), _r0), _s1, _r0), _r8)
     return _add(_multiply(_s2, _s2, _r2), _multiply(_s3, _s3, _r3), _r3) + _multiply(_s4, _s4, _r4), _add(_s6, _s7, _r7) + _s8, -_inf, 0.0
 
 
@@ -3098,11 +3099,11 @@ def grip_lost_time(clock: Any, grip_deficit: Any, grip_deficit_rate: Any, last_g
     _s4 = _select(_k4 < _s3, _s3, _k4, _r4)
     _s5 = _multiply(grip_deficit_rate, _s0, _r5)
     _s6 = _multiply(last_grip_deficit_rate, _s0, _r6)
-    _s7 = _subtract(_add(_s5, _s6, _r7), _multiply(_k48, _s1, _r8), _r8)
-    _s8 = _subtract(_subtract(_multiply(_k89, _s1, _r7), _s5, _r7), _multiply(_k48, _s6, _r5), _r5)
+    _s7 = _subtract(_add(_s5, _s6, _r7), _multiply(_k49, _s1, _r8), _r8)
+    _s8 = _subtract(_subtract(_multiply(_k90, _s1, _r7), _s5, _r7), _multiply(_k49, _s6, _r5), _r5)
     _s9 = _add(last_grip_deficit, _multiply(_add(_multiply(_add(_multiply(_s7, _s4, _r7), _s8, _r7), _s4, _r7), _s6, _r7), _s4, _r7), _r7)
-    _s10 = _multiply(_k89, _s7, _r9)
-    _s11 = _multiply(_k48, _s8, _r10)
+    _s10 = _multiply(_k90, _s7, _r9)
+    _s11 = _multiply(_k49, _s8, _r10)
     _s12 = _add(_multiply(_add(_multiply(_s10, _s4, _r11), _s11, _r11), _s4, _r11), _s6, _r11)
     _s13 = _subtract(_s4, _divide(_s9, _select(_k4 < _s12, _s12, _s1, _r12), _r12), _r12)
     _s14 = _select(_s13 < _k39, _s13, _k39, _r4)
@@ -3167,7 +3168,7 @@ def ring_impact_undecided(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, 
     _s8 = _absolute(dvy, _r6)
     _s9 = _select(_s7 < _s8, _s8, _s7, _r7)
     _s10 = _absolute(dvz, _r8)
-    _s11 = _multiply(_k64, _add(_add(_add(_multiply(p_ball_radius, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _multiply(turn, _s6, _r3), _r3), _select(_s9 < _s10, _s10, _s9, _r9), _r9), _multiply(_k14, _s6, _r5), _r5), _r5)
+    _s11 = _multiply(_k65, _add(_add(_add(_multiply(p_ball_radius, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _multiply(turn, _s6, _r3), _r3), _select(_s9 < _s10, _s10, _s9, _r9), _r9), _multiply(_k14, _s6, _r5), _r5), _r5)
     _s12 = _add(_add(_multiply(nx, vx, _r9), _multiply(ny, vy, _r8), _r8), _multiply(nz, vz, _r9), _r9)
     _s13 = _subtract(_subtract(vz, _multiply(nz, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r7), _multiply(nx, wy, _r6), _r6), _r6), _r6)
     _s14 = _subtract(_subtract(vy, _multiply(ny, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r7), _multiply(nz, wx, _r4), _r4), _r4), _r4)
@@ -3192,38 +3193,38 @@ def ring_impact_settling(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_r
     _s5 = _add(_s4, _absolute(rolled_z, _r3), _r3)
     _s6 = _multiply(_s3, _s5, _r2)
     _s7 = _absolute(weight, _r4)
-    _s8 = _multiply(_multiply(_k51, _s3, _r5), _add(_s6, _s7, _r6), _r5)
+    _s8 = _multiply(_multiply(_k52, _s3, _r5), _add(_s6, _s7, _r6), _r5)
     _s9 = _s0 * _s0
     _s10 = _add(_sqrt(_multiply(p_ball_radius, _s7, _r4), _r4), _s5, _r4)
-    _s11 = _multiply(_k103, _s10, _r6)
-    _s12 = _multiply(_k48, rolling_friction, _r7)
+    _s11 = _multiply(_k104, _s10, _r6)
+    _s12 = _multiply(_k49, rolling_friction, _r7)
     _s13 = 1.0 + p_ring_restitution
     _s14 = p_ring_friction * _s13
     _s15 = _multiply(press, _s14, _r8)
-    _s16 = _logical_and(_logical_and(_logical_and(_logical_and((_k4 < press), _s1), (_multiply(_multiply(_k89, _s2, _r9), _s8, _r9) < _multiply(press, _s9, _r10))), (slip <= _add(_multiply(_multiply(_k51, rolling_friction, _r10), _s2, _r10), _s11, _r10))), (_s12 <= _s15))
-    _s17 = _multiply(_k71, bounce, _r10)
+    _s16 = _logical_and(_logical_and(_logical_and(_logical_and((_k4 < press), _s1), (_multiply(_multiply(_k90, _s2, _r9), _s8, _r9) < _multiply(press, _s9, _r10))), (slip <= _add(_multiply(_multiply(_k52, rolling_friction, _r10), _s2, _r10), _s11, _r10))), (_s12 <= _s15))
+    _s17 = _multiply(_k72, bounce, _r10)
     _s18 = _s13 * _s0
-    _s19 = _multiply(_k90, rolling_friction, _r9)
+    _s19 = _multiply(_k91, rolling_friction, _r9)
     _s20 = p_inertia * (1.0 / (1.0 + p_inertia))
-    _s21 = _add(_add(_multiply(_s17, _s2, _r11), _divide(_multiply(_s19, _multiply(_s2, _s2, _r12), _r12), _s18, _r12), _r12), _divide(_multiply(_multiply(_multiply(_k90, slip, _r11), _s20, _r11), _s2, _r11), _s0, _r11), _r11)
+    _s21 = _add(_add(_multiply(_s17, _s2, _r11), _divide(_multiply(_s19, _multiply(_s2, _s2, _r12), _r12), _s18, _r12), _r12), _divide(_multiply(_multiply(_multiply(_k91, slip, _r11), _s20, _r11), _s2, _r11), _s0, _r11), _r11)
     _s22 = 3.637978807091713e-12 * p_ball_radius
     _s23 = _logical_and(_s16, (_s21 <= _s22))
     _s24 = 3.725290298461914e-09 * p_ball_radius
     _s25 = second_contact_gap <= _s24
-    _s26 = _divide(_multiply(_multiply(_k63, _s2, _r0), _s5, _r0), _s0, _r0)
+    _s26 = _divide(_multiply(_multiply(_k64, _s2, _r0), _s5, _r0), _s0, _r0)
     _s27 = _add(_s24, _s26, _r12) < nearest
     _s28 = _s26 <= _s24
     _s29 = bounce <= _s11
-    _s30 = _logical_and(_logical_and(_logical_and((mode == _k93), _s29), (_absolute(lift, _r6) <= _multiply(_k132, _add(p_gravity, _s6, _r2), _r2))), (_k4 < gap_jerk))
+    _s30 = _logical_and(_logical_and(_logical_and((mode == _k94), _s29), (_absolute(lift, _r6) <= _multiply(_k133, _add(p_gravity, _s6, _r2), _r2))), (_k4 < gap_jerk))
     _s31 = _logical_not(_s30)
     _s32 = _negative(lift, _r2)
     _s33 = _select(_s32 < press, _s32, press, _r6)
     _s34 = _divide(bounce, _s33, _r0)
-    _s35 = _logical_and(_logical_and(_logical_and((_k4 < _s33), _s1), (_multiply(_multiply(_k89, _s34, _r12), _s8, _r12) < _multiply(_s9, _s33, _r6))), (_add(_s24, _divide(_multiply(_multiply(_k63, _s34, _r6), _s5, _r6), _s0, _r6), _r6) < nearest))
+    _s35 = _logical_and(_logical_and(_logical_and((_k4 < _s33), _s1), (_multiply(_multiply(_k90, _s34, _r12), _s8, _r12) < _multiply(_s9, _s33, _r6))), (_add(_s24, _divide(_multiply(_multiply(_k64, _s34, _r6), _s5, _r6), _s0, _r6), _r6) < nearest))
     _s36 = _logical_and(_s35, (_add(_multiply(_s17, _s34, _r10), _divide(_multiply(_s19, _multiply(_s34, _s34, _r6), _r6), _s18, _r6), _r6) <= _s22))
-    _s37 = _add(_divide(_multiply(_k48, _add(_multiply(_s12, _s34, _r0), _select(_k4 < bounce, _multiply(bounce, _s14, _r6), _k4, _r10), _r10), _r10), _s20 * _s0, _r10), _multiply(_k133, _s10, _r4), _r4)
-    _s38 = _logical_or((_absolute(press, _r10) <= _multiply(_multiply(_k90, velocity_error, _r6), _s3, _r6)), _logical_and((_multiply(bounce, _absolute(_subtract(_s21, _s22, _r11), _r11), _r11) <= _multiply(_multiply(_k48, velocity_error, _r6), _s22, _r6)), (_k4 < _multiply(p_ring_restitution, bounce, _r6))))
-    _s39 = _multiply(_k63, velocity_error, _r6)
+    _s37 = _add(_divide(_multiply(_k49, _add(_multiply(_s12, _s34, _r0), _select(_k4 < bounce, _multiply(bounce, _s14, _r6), _k4, _r10), _r10), _r10), _s20 * _s0, _r10), _multiply(_k134, _s10, _r4), _r4)
+    _s38 = _logical_or((_absolute(press, _r10) <= _multiply(_multiply(_k91, velocity_error, _r6), _s3, _r6)), _logical_and((_multiply(bounce, _absolute(_subtract(_s21, _s22, _r11), _r11), _r11) <= _multiply(_multiply(_k49, velocity_error, _r6), _s22, _r6)), (_k4 < _multiply(p_ring_restitution, bounce, _r6))))
+    _s39 = _multiply(_k64, velocity_error, _r6)
     _s40 = _logical_and(_s36, _logical_or((_absolute(_subtract(slip, _s37, _r11), _r11) < _s39), (_absolute(_subtract(_s12, _s15, _r11), _r11) < _multiply(_s39, _add(_multiply(_s14, _s3, _r10), _s3, _r10), _r10))))
     return _logical_and(_logical_and(_logical_and(_s23, _logical_not(_s25)), _logical_or(_s27, _s28)), _s31), _logical_and(_logical_and(_s23, _s25), _s31), _logical_and(_logical_and(_s36, _logical_or((_s37 < slip), (_s15 < _s12))), _s31), _logical_or(_logical_and(_s29, (_k4 <= lift)), _s30), _result(_logical_or(_logical_and(_s16, _s27), _s35), _k39, _k4, _r0), _logical_and(_logical_or(_logical_or(_s38, _s40), _logical_and(_logical_and(_s23, _s28), _logical_not(_s27))), _s31)
 
@@ -3309,8 +3310,8 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s39 = _add(_add(_s1, _s4, _r36), _s38, _r36)
     _s40 = _add(_multiply(place_s, left_bend_s, _r37), _multiply(place_e, left_bend_e, _r38), _r38)
     _s41 = _multiply(_add(_s37, _s39, _r37), _s40, _r37)
-    _s42 = _multiply(_k136, _add(_multiply(t, _s41, _r39), _s9, _r39), _r39)
-    _s43 = _add(_add(_add(root_offset, _multiply(_multiply(_k137, _multiply(sharpest_bend, _s9, _r40), _r40), _s9, _r40), _r40), _add(_s35, _multiply(pace_e, _absolute(_s36, _r41), _r41), _r41), _r41), _s42, _r41)
+    _s42 = _multiply(_k137, _add(_multiply(t, _s41, _r39), _s9, _r39), _r39)
+    _s43 = _add(_add(_add(root_offset, _multiply(_multiply(_k138, _multiply(sharpest_bend, _s9, _r40), _r40), _s9, _r40), _r40), _add(_s35, _multiply(pace_e, _absolute(_s36, _r41), _r41), _r41), _r41), _s42, _r41)
     _s44 = _absolute(normal_velocity, _r40)
     _s45 = _divide(_multiply(_k23, _s43, _r41), _s44, _r41)
     _s46 = _add(_k21, _multiply(_k22, _add(_add(_add(_s37, _s1, _r34), _s4, _r34), _s38, _r34), _r34), _r34)
@@ -3318,21 +3319,21 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s48 = _add(_multiply(p_gravity, _s45, _r3), _s47, _r3)
     _s49 = _add(_s48, _s39, _r1)
     _s50 = _add(_multiply(_s45, _s49, _r32), _s9, _r32)
-    _s51 = _multiply(_k137, sharpest_bend, _r7)
+    _s51 = _multiply(_k138, sharpest_bend, _r7)
     _s52 = _multiply(_s51, _s50, _r42)
     _s53 = _subtract(_multiply(_k25, _add(_add(_multiply(_absolute(_s0, _r43), _s45, _r43), _multiply(_s52, _s49, _r44), _r44), _s47, _r44), _r44), _s44, _r44)
-    _s54 = _subtract(_multiply(_k138, _multiply(sharpest_bend, _s50, _r43), _r43), _k139, _r43)
+    _s54 = _subtract(_multiply(_k139, _multiply(sharpest_bend, _s50, _r43), _r43), _k140, _r43)
     _s55 = _select(_s53 < _s54, _s54, _s53, _r45)
     _s56 = _add(_multiply(_s6, _multiply(_s45, _s45, _r46), _r46), _multiply(_s45, _s47, _r35), _r35)
     _s57 = _divide(_add(_multiply(_s52, _s50, _r46), _s56, _r46), _s44, _r46)
     _s58 = _add(_multiply(_s57, _s39, _r47), _s56, _r47)
     _s59 = _add(_add(root_level, _s58, _r35), _add(_add(_multiply(_absolute(nx, _r48), _s3, _r48), _multiply(_absolute(ny, _r49), _s5, _r49), _r49), _multiply(_absolute(nz, _r48), _s8, _r48), _r48), _r48)
     _s60 = _multiply(bend_s, _s59, _r35)
-    _s61 = _subtract(_multiply(_k140, _add(_multiply(place_n, left_bend_s, _r49), _s60, _r49), _r49), _k139, _r49)
+    _s61 = _subtract(_multiply(_k141, _add(_multiply(place_n, left_bend_s, _r49), _s60, _r49), _r49), _k140, _r49)
     _s62 = _select(_s55 < _s61, _s61, _s55, _r50)
-    _s63 = (p_inertia * (_k141 + p_tangential_restitution)) / (_k141 + p_inertia)
+    _s63 = (p_inertia * (_k142 + p_tangential_restitution)) / (_k142 + p_inertia)
     _s64 = _add(_add(_absolute(wx, _r51), _absolute(wy, _r52), _r52), _absolute(wz, _r51), _r51)
-    _s65 = _multiply(_k142, _s52, _r52)
+    _s65 = _multiply(_k143, _s52, _r52)
     _s66 = _add(spin_bound, _multiply(_s65, _add(spin_bound, _s64, _r53), _r53), _r53)
     _s67 = _add(_multiply(_s65, _s49, _r1), _s48, _r1)
     _s68 = _add(_multiply(p_ball_radius, _s66, _r54), _s67, _r54)
@@ -3341,20 +3342,20 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s71 = _add(_multiply(_multiply(p_ball_radius, _s69, _r56), _s64, _r56), _s70, _r56)
     _s72 = _add(_s68, _s71, _r57)
     _s73 = _multiply(_s69, _s39, _r58)
-    _s74 = _k141 + p_ring_restitution
+    _s74 = _k142 + p_ring_restitution
     _s75 = _where((p_ring_friction < _k36), (p_ring_friction * _s74), _k34)
     _s76 = _add(_multiply(p_ball_radius, _s64, _r59), _s39, _r59)
     _s77 = _multiply(_s63, _s76, _r60)
-    _s78 = _subtract(_add(_multiply(_k142, _add(_multiply(_s63, _s72, _r61), _multiply(_add(_s73, _s67, _r62), _s75, _r62), _r62), _r62), _multiply(_k143, _add(_s77, _multiply(_s39, _s75, _r61), _r61), _r61), _r61), _absolute(slip_margin, _r62), _r62)
+    _s78 = _subtract(_add(_multiply(_k143, _add(_multiply(_s63, _s72, _r61), _multiply(_add(_s73, _s67, _r62), _s75, _r62), _r62), _r62), _multiply(_k144, _add(_s77, _multiply(_s39, _s75, _r61), _r61), _r61), _r61), _absolute(slip_margin, _r62), _r62)
     _s79 = _select(_s62 < _s78, _s78, _s62, _r61)
     _s80 = slip_margin < _k26
-    _s81 = _select(_s80, _subtract(_multiply(_k144, _add(_multiply(_k145, _s76, _r63), _s72, _r63), _r63), slip_speed, _r63), _k146, _r57)
+    _s81 = _select(_s80, _subtract(_multiply(_k145, _add(_multiply(_k146, _s76, _r63), _s72, _r63), _r63), slip_speed, _r63), _k147, _r57)
     _s82 = _multiply(_k24, _s59, _r48)
     _s83 = _select(_s79 < _s81, _s81, _s79, _r64) <= _k26
     _s84 = _divide(_add(root_offset, _s42, _r64), _s44, _r64)
     _s85 = _add(_multiply(_absolute(_s20, _r57), _s84, _r57), _add(_add(_multiply(_absolute(_s13, _r63), _s5, _r63), _multiply(_absolute(_s12, _r61), _s3, _r61), _r61), _multiply(_absolute(_s19, _r63), _s8, _r63), _r63), _r63)
-    _s86 = _add(_add(_s58, _multiply(_k136, _s50, _r32), _r32), _s42, _r32)
-    _s87 = _divide(_k139, normal_velocity, _r39)
+    _s86 = _add(_add(_s58, _multiply(_k137, _s50, _r32), _r32), _s42, _r32)
+    _s87 = _divide(_k140, normal_velocity, _r39)
     _s88 = _negative(_multiply(_s87, _s11, _r8), _r8)
     _s89 = _add(_add(_multiply(left_nx, _s12, _r57), _multiply(left_ny, _s13, _r61), _r61), _multiply(left_nz, _s19, _r57), _r57)
     _s90 = _add(_multiply(_s88, _s20, _r61), _s89, _r61)
@@ -3390,34 +3391,34 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s120 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s112, _r19), _r19), _multiply(place_s, _absolute(_s115, _r73), _r73), _r73), _multiply(place_e, _absolute(_s117, _r19), _r19), _r19), _multiply(pace_n, _absolute(_s118, _r73), _r73), _r73), _multiply(pace_s, _absolute(_s119, _r19), _r19), _r19)
     _s121 = _add(_multiply(_s106, _s16, _r73), _multiply(t, _s17, _r74), _r74)
     _s122 = _multiply(_k24, _add(_add(_s110, _s86, _r73), _add(_s120, _multiply(pace_e, _absolute(_s121, _r75), _r75), _r75), _r75), _r75)
-    _s123 = _add(_k139, _divide(_s44, p_restitution_speed, _r73), _r73)
-    _s124 = _multiply(p_ring_restitution, _subtract(_divide(_k139, _s123, _r19), _divide(_multiply(_s44, _k141 / p_restitution_speed, _r76), _multiply(_s123, _s123, _r77), _r76), _r76), _r76)
+    _s123 = _add(_k140, _divide(_s44, p_restitution_speed, _r73), _r73)
+    _s124 = _multiply(p_ring_restitution, _subtract(_divide(_k140, _s123, _r19), _divide(_multiply(_s44, _k142 / p_restitution_speed, _r76), _multiply(_s123, _s123, _r77), _r76), _r76), _r76)
     _s125 = _add(_multiply(p_gravity, _s84, _r64), _s46, _r64)
     _s126 = _negative(_multiply(bend_s, _s20, _r34), _r34)
     _s127 = _multiply(bend_e, _s19, _r19)
     _s128 = _multiply(_s127, _s16, _r77)
     _s129 = _add(_s125, _add(_multiply(_absolute(_s126, _r78), _s85, _r78), _multiply(_absolute(_s128, _r79), _s110, _r79), _r79), _r79)
     _s130 = _select(_s80, _s75, _k26, _r78)
-    _s131 = _add(_multiply(_k147 * _s63, _s76, _r80), _multiply(_multiply(_k148, _s39, _r81), _s130, _r81), _r81)
-    _s132 = _add(_k21, _multiply(_k22, _add(_multiply(_k149, _s76, _r80), _s131, _r80), _r80), _r80)
+    _s131 = _add(_multiply(_k148 * _s63, _s76, _r80), _multiply(_multiply(_k149, _s39, _r81), _s130, _r81), _r81)
+    _s132 = _add(_k21, _multiply(_k22, _add(_multiply(_k150, _s76, _r80), _s131, _r80), _r80), _r80)
     _s133 = p_ring_restitution / p_restitution_speed
     _s134 = _multiply(_s67, _s67, _r82)
-    _s135 = _multiply(_k142, _add(_multiply(_s63, _s68, _r83), _multiply(_s67, _s130, _r84), _r84), _r84)
+    _s135 = _multiply(_k143, _add(_multiply(_s63, _s68, _r83), _multiply(_s67, _s130, _r84), _r84), _r84)
     _s136 = _multiply(_add(bend_s, bend_e, _r83), _s86, _r83)
     _s137 = _add(_s77, _s39, _r32)
     _s138 = _add(_multiply(_s51, _s58, _r47), _multiply(_k19, _multiply(_s52, _s52, _r7), _r7), _r7)
-    _s139 = _multiply(_k142, _s138, _r47)
-    _s140 = _add(_multiply(p_gravity, _s57, _r46), _multiply(_k142, _add(_multiply(_s52, _s48, _r85), _multiply(_s138, _s39, _r86), _r86), _r86), _r86)
+    _s139 = _multiply(_k143, _s138, _r47)
+    _s140 = _add(_multiply(p_gravity, _s57, _r46), _multiply(_k143, _add(_multiply(_s52, _s48, _r85), _multiply(_s138, _s39, _r86), _r86), _r86), _r86)
     _s141 = _add(_add(_add(_add(_multiply(_s133, _s134, _r46), _multiply(_s65, _add(_s67, _s135, _r85), _r85), _r85), _multiply(_s136, _s137, _r46), _r46), _multiply(_s139, _s137, _r85), _r85), _s140, _r85)
-    _s142 = _multiply(_k148, _s52, _r46)
+    _s142 = _multiply(_k149, _s52, _r46)
     _s143 = _add(_multiply(_s142, _s39, _r36), _multiply(_k19, _add(_s41, _s48, _r3), _r3), _r3)
     _s144 = _add(_multiply(_s142, _s64, _r46), _multiply(_k19, _add(spin_bound, _multiply(_s40, _s64, _r38), _r38), _r38), _r38)
     _s145 = _multiply(_k19, _add(_multiply(_s63, _add(_multiply(p_ball_radius, _s144, _r46), _s143, _r46), _r46), _multiply(_s143, _s130, _r36), _r36), _r36)
-    _s146 = _multiply(_k142, _add(_multiply(spin_bound, _s52, _r42), _multiply(_s138, _s64, _r7), _r7), _r7)
-    _s147 = _select(_s80, _add(_multiply(_divide(_s68, slip_speed, _r42), _add(_multiply(_multiply(_k137, _s67, _r1), _s130, _r1), _multiply(_multiply(_k150, slip_share, _r46), _s68, _r46), _r46), _r46), _multiply(p_ring_friction * _s133, _s134, _r82), _r82), _k26, _r46)
+    _s146 = _multiply(_k143, _add(_multiply(spin_bound, _s52, _r42), _multiply(_s138, _s64, _r7), _r7), _r7)
+    _s147 = _select(_s80, _add(_multiply(_divide(_s68, slip_speed, _r42), _add(_multiply(_multiply(_k138, _s67, _r1), _s130, _r1), _multiply(_multiply(_k151, slip_share, _r46), _s68, _r46), _r46), _r46), _multiply(p_ring_friction * _s133, _s134, _r82), _r82), _k26, _r46)
     _s148 = _add(_add(_multiply(_s63, _add(_multiply(p_ball_radius, _s146, _r42), _s140, _r42), _r42), _multiply(_s140, _s130, _r86), _r86), _s147, _r46)
-    _s149 = _add(_add(_s141, _multiply(_k136, _add(_s143, _s145, _r3), _r3), _r3), _s148, _r3)
-    _s150 = _multiply(_k142, _add(_multiply(_s73, _s130, _r78), _multiply(_s63, _s71, _r56), _r56), _r56)
+    _s149 = _add(_add(_s141, _multiply(_k137, _add(_s143, _s145, _r3), _r3), _r3), _s148, _r3)
+    _s150 = _multiply(_k143, _add(_multiply(_s73, _s130, _r78), _multiply(_s63, _s71, _r56), _r56), _r56)
     _s151 = _negative(_multiply(_s0, _s124, _r78), _r78)
     _s152 = _negative(_multiply(_s124, _s126, _r58), _r58)
     _s153 = _negative(_multiply(_s124, _s128, _r85), _r85)
@@ -3452,10 +3453,10 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s182 = _multiply(_s109, _s85, _r96)
     _s183 = _multiply(bend_e, _subtract(_multiply(nz, _s20, _r97), _multiply(normal_velocity, _s19, _r98), _r98), _r98)
     _s184 = _add(_s125, _add(_s182, _multiply(_absolute(_s183, _r97), _s110, _r97), _r97), _r97)
-    _s185 = _select(_s80, _multiply(p_ring_friction, _add(_k139, _s124, _r76), _r76), _k26, _r64)
+    _s185 = _select(_s80, _multiply(p_ring_friction, _add(_k140, _s124, _r76), _r76), _k26, _r64)
     _s186 = _negative(_s185, _r99)
     _s187 = _multiply(_s163, _s186, _r100)
-    _s188 = _add(_add(_add(_multiply(_absolute(_subtract(_k139, _s166, _r101), _r101), _s170, _r101), _multiply(_absolute(_negative(_s173, _r102), _r102), _s179, _r102), _r102), _multiply(_absolute(_negative(_s181, _r101), _r101), _s184, _r101), _r101), _multiply(_absolute(_negative(_s187, _r102), _r102), _s129, _r102), _r102)
+    _s188 = _add(_add(_add(_multiply(_absolute(_subtract(_k140, _s166, _r101), _r101), _s170, _r101), _multiply(_absolute(_negative(_s173, _r102), _r102), _s179, _r102), _r102), _multiply(_absolute(_negative(_s181, _r101), _r101), _s184, _r101), _r101), _multiply(_absolute(_negative(_s187, _r102), _r102), _s129, _r102), _r102)
     _s189 = -p_ball_radius
     _s190 = _negative(_multiply(_multiply(_s189, _s163, _r101), _s164, _r101), _r101)
     _s191 = _add(_multiply(_s190, _s163, _r103), _multiply(slip_share, _s189, _r104), _r104)
@@ -3489,7 +3490,7 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s219 = _negative(_add(_multiply(_add(_multiply(_s111, _s171, _r27), _multiply(_s89, _s163, _r114), _r114), _s164, _r114), _multiply(_s10, _s185, _r27), _r27), _r27)
     _s220 = _add(_multiply(_s219, _s163, _r114), _multiply(slip_share, _s89, _r115), _r115)
     _s221 = _multiply(pace_n, _absolute(_subtract(_subtract(_add(_multiply(_s101, _s198, _r114), _subtract(_s89, _s220, _r116), _r116), _multiply(_s118, _s203, _r114), _r114), _multiply(_s102, _s207, _r116), _r116), _r116), _r116)
-    _s222 = _k141 / p_ball_radius
+    _s222 = _k142 / p_ball_radius
     _s223 = _subtract(_s95, _multiply(p_ball_radius, _multiply(_s222, _s17, _r114), _r114), _r114)
     _s224 = _add(_multiply(p_ball_radius, _multiply(_s222, _s14, _r117), _r117), _s114, _r117)
     _s225 = _negative(_add(_multiply(_add(_multiply(_s223, _s163, _r118), _multiply(_s224, _s171, _r119), _r119), _s164, _r119), _multiply(_s27, _s185, _r118), _r118), _r118)
@@ -3519,7 +3520,7 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s249 = _multiply(_s190, _s171, _r101)
     _s250 = _multiply(_s165, _s171, _r54)
     _s251 = _multiply(_s171, _s186, _r99)
-    _s252 = _add(_add(_add(_multiply(_absolute(_subtract(_k139, _s248, _r3), _r3), _s184, _r3), _multiply(_absolute(_negative(_s249, _r34), _r34), _s195, _r34), _r34), _multiply(_absolute(_negative(_s250, _r3), _r3), _s170, _r3), _r3), _multiply(_absolute(_negative(_s251, _r34), _r34), _s129, _r34), _r34)
+    _s252 = _add(_add(_add(_multiply(_absolute(_subtract(_k140, _s248, _r3), _r3), _s184, _r3), _multiply(_absolute(_negative(_s249, _r34), _r34), _s195, _r34), _r34), _multiply(_absolute(_negative(_s250, _r3), _r3), _s170, _r3), _r3), _multiply(_absolute(_negative(_s251, _r34), _r34), _s129, _r34), _r34)
     _s253 = _add(_multiply(_s172, _s171, _r82), _multiply(p_ball_radius, slip_share, _r3), _r3)
     _s254 = _multiply(_s171, _s196, _r96)
     _s255 = _negative(_s254, _r82)
@@ -3546,10 +3547,10 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s276 = _multiply(_k24, _s275, _r34)
     _s277 = _negative(_multiply(bend_s, _s192, _r44), _r44)
     _s278 = _multiply(_s127, _s177, _r109)
-    _s279 = _k141 / (p_ball_radius * p_inertia)
+    _s279 = _k142 / (p_ball_radius * p_inertia)
     _s280 = _add(_multiply(_s77, _s279, _r60), _s64, _r60)
     _s281 = _add(_add(_add(_multiply(_s65, _add(_multiply(_s135, _s279, _r84), _s66, _r84), _r84), _multiply(_s136, _s280, _r83), _r83), _multiply(_s139, _s280, _r47), _r47), _multiply(_s148, _s279, _r46), _r46)
-    _s282 = _add(_add(_multiply(_add(_multiply(_multiply(_s63, _s69, _r55), _s76, _r55), _s150, _r55), _s279, _r55), _add(_k21, _multiply(_k22, _add(_multiply(_s131, _s279, _r81), _multiply(_k148, _s64, _r51), _r51), _r51), _r51), _r51), _add(_add(_s281, _multiply(_k136, _add(_multiply(_s279, _s145, _r36), _s144, _r36), _r36), _r36), _s146, _r36), _r36)
+    _s282 = _add(_add(_multiply(_add(_multiply(_multiply(_s63, _s69, _r55), _s76, _r55), _s150, _r55), _s279, _r55), _add(_k21, _multiply(_k22, _add(_multiply(_s131, _s279, _r81), _multiply(_k149, _s64, _r51), _r51), _r51), _r51), _r51), _add(_add(_s281, _multiply(_k137, _add(_multiply(_s279, _s145, _r36), _s144, _r36), _r36), _r36), _s146, _r36), _r36)
     _s283 = _multiply(place_s, _absolute(_subtract(_subtract(_subtract(_multiply(_s15, _s177, _r11), _multiply(_s18, _s192, _r13), _r13), _multiply(_s277, _s96, _r11), _r11), _multiply(_s278, _s115, _r13), _r13), _r13), _r13)
     _s284 = _add(_multiply(place_n, _absolute(_negative(_add(_multiply(_s277, _s90, _r11), _multiply(_s278, _s112, _r51), _r51), _r51), _r51), _r51), _s283, _r13)
     _s285 = _add(_s284, _multiply(place_e, _absolute(_subtract(_subtract(_multiply(_s29, _s177, _r26), _multiply(_s277, _s100, _r51), _r51), _multiply(_s278, _s117, _r26), _r26), _r26), _r26), _r26)
@@ -3558,15 +3559,15 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s288 = _multiply(pace_e, _absolute(_subtract(_subtract(_negative(_multiply(_s222, _s27, _r51), _r51), _multiply(_s277, _s107, _r13), _r13), _multiply(_s278, _s121, _r51), _r51), _r51), _r51)
     _s289 = _add(_add(_add(_multiply(_absolute(_s277, _r44), _s85, _r44), _multiply(_absolute(_s278, _r109), _s110, _r109), _r109), _s282, _r109), _add(_add(_add(_add(_s287, _s288, _r51), _multiply(turn_n, _absolute(_s10, _r2), _r2), _r2), _multiply(turn_z, _absolute(_s31, _r29), _r29), _r29), _multiply(turn_z, _absolute(_s27, _r23), _r23), _r23), _r23)
     _s290 = _multiply(_k24, _s289, _r23)
-    _s291 = _k141 + (_k141 / p_inertia)
+    _s291 = _k142 + (_k142 / p_inertia)
     _s292 = _add(_multiply(_absolute(_multiply(_s222, _negative(_multiply(_s249, _s291, _r101), _r101), _r101), _r101), _s195, _r101), _multiply(_absolute(_multiply(_s222, _negative(_multiply(_s250, _s291, _r54), _r54), _r54), _r54), _s170, _r54), _r54)
     _s293 = _add(_s292, _multiply(_absolute(_multiply(_s222, _negative(_multiply(_s251, _s291, _r99), _r99), _r99), _r99), _s129, _r99), _r99)
-    _s294 = _add(_s293, _multiply(_absolute(_multiply(_s222, _subtract(_k139, _multiply(_s291, _s248, _r93), _r93), _r93), _r93), _s184, _r93), _r93)
+    _s294 = _add(_s293, _multiply(_absolute(_multiply(_s222, _subtract(_k140, _multiply(_s291, _s248, _r93), _r93), _r93), _r93), _s184, _r93), _r93)
     _s295 = _add(_s294, _multiply(_absolute(_multiply(_s222, _subtract(p_ball_radius, _multiply(_s291, _s253, _r3), _r3), _r3), _r3), _s179, _r3), _r3)
     _s296 = _multiply(_absolute(_negative(_multiply(_s222, _negative(_multiply(_s173, _s291, _r87), _r87), _r87), _r87), _r87), _s179, _r87)
     _s297 = _multiply(_absolute(_negative(_multiply(_s222, _negative(_multiply(_s181, _s291, _r95), _r95), _r95), _r95), _r95), _s184, _r95)
     _s298 = _multiply(_absolute(_negative(_multiply(_s222, _negative(_multiply(_s187, _s291, _r100), _r100), _r100), _r100), _r100), _s129, _r100)
-    _s299 = _multiply(_absolute(_negative(_multiply(_s222, _subtract(_k139, _multiply(_s291, _s166, _r1), _r1), _r1), _r1), _r1), _s170, _r1)
+    _s299 = _multiply(_absolute(_negative(_multiply(_s222, _subtract(_k140, _multiply(_s291, _s166, _r1), _r1), _r1), _r1), _r1), _s170, _r1)
     _s300 = _multiply(_absolute(_negative(_multiply(_s222, _subtract(_s189, _multiply(_s291, _s191, _r104), _r104), _r104), _r104), _r104), _s195, _r104)
     _s301 = _add(_add(_add(_add(_s296, _s297, _r95), _s298, _r100), _s299, _r1), _s300, _r104)
     _s302 = _multiply(_s222, _negative(_multiply(_s254, _s291, _r96), _r96), _r96)
@@ -3599,13 +3600,13 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s329 = _add(_add(_add(_s325, _s326, _r125), _s327, _r128), _s328, _r80)
     _s330 = _multiply(_k24, _add(_add(_add(_multiply(_s222, _s162, _r35), _s282, _r35), _select(_s295 < _s301, _s301, _s295, _r36), _r36), _select(_s314 < _s329, _s329, _s314, _r104), _r104), _r104)
     _s331 = _select(_s82 < _s108, _s108, _s82, _r80)
-    _s332 = _result(_s83, _multiply(_k24, _add(_multiply(_k151, _add(_add(_s82, _s122, _r37), _s108, _r37), _r37), _multiply(_k152, _select(_s331 < _s122, _s122, _s331, _r36), _r36), _r36), _r36), _k27, _r0)
+    _s332 = _result(_s83, _multiply(_k24, _add(_multiply(_k152, _add(_add(_s82, _s122, _r37), _s108, _r37), _r37), _multiply(_k153, _select(_s331 < _s122, _s122, _s331, _r36), _r36), _r36), _r36), _k27, _r0)
     _s333 = _multiply(_s109, _s108, _r36)
     _s334 = _multiply(slip_share, _subtract(_s20, _multiply(p_ball_radius, _s177, _r37), _r37), _r37)
     _s335 = _subtract(_s20, _s334, _r16)
     _s336 = _multiply(_s44, _divide(p_ring_restitution, _s123, _r73), _r73)
     _s337 = _add(_s333, _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s335, _r40), _multiply(_s336, _s19, _r17), _r17), _r17), _r17), _s122, _r17), _r17)
-    _s338 = _multiply(_k136, _add(_multiply(bend_s, _s108, _r40), _multiply(bend_e, _s122, _r80), _r80), _r80)
+    _s338 = _multiply(_k137, _add(_multiply(bend_s, _s108, _r40), _multiply(bend_e, _s122, _r80), _r80), _r80)
     _s339 = _multiply(_s137, _s338, _r32)
     _s340 = _add(_add(_s337, _s339, _r17), _s276, _r17)
     _s341 = _multiply(slip_share, _add(_multiply(p_ball_radius, _s192, _r40), _s16, _r40), _r40)
@@ -3615,7 +3616,7 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s345 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s335, _r16), _r16), _r16), _s108, _r16), _multiply(_absolute(_multiply(_s127, _s342, _r14), _r14), _s122, _r14), _r14), _s339, _r14)
     _s346 = _add(_s345, _s161, _r14)
     _s347 = _select(_s346 < _s344, _s344, _s346, _r32)
-    _s348 = _result(_s83, _multiply(_k24, _add(_multiply(_k151, _add(_add(_s340, _s344, _r16), _s346, _r16), _r16), _multiply(_k152, _select(_s347 < _s340, _s340, _s347, _r73), _r73), _r73), _r73), _k27, _r0)
+    _s348 = _result(_s83, _multiply(_k24, _add(_multiply(_k152, _add(_add(_s340, _s344, _r16), _s346, _r16), _r16), _multiply(_k153, _select(_s347 < _s340, _s340, _s347, _r73), _r73), _r73), _r73), _k27, _r0)
     _s349 = _subtract(_s192, _multiply(_s341, _s279, _r40), _r40)
     _s350 = _add(_multiply(_s334, _s279, _r37), _s177, _r37)
     _s351 = _multiply(_s280, _s338, _r80)
@@ -3626,7 +3627,7 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s356 = _add(_add(_divide(_s247, p_ball_radius, _r90), _s333, _r90), _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s349, _r40), _s193, _r40), _r40), _r40), _s122, _r40), _r40)
     _s357 = _add(_add(_s356, _s351, _r40), _s330, _r40)
     _s358 = _select(_s353 < _s355, _s355, _s353, _r80)
-    _s359 = _result(_s83, _multiply(_k24, _add(_multiply(_k151, _add(_add(_s353, _s355, _r90), _s357, _r90), _r90), _multiply(_k152, _select(_s358 < _s357, _s357, _s358, _r10), _r10), _r10), _r10), _k27, _r0)
+    _s359 = _result(_s83, _multiply(_k24, _add(_multiply(_k152, _add(_add(_s353, _s355, _r90), _s357, _r90), _r90), _multiply(_k153, _select(_s358 < _s357, _s357, _s358, _r10), _r10), _r10), _r10), _k27, _r0)
     return _result(_s83, _s82, _k27, _r0), _result(_s83, _s108, _k27, _r0), _result(_s83, _s122, _k27, _r0), _result(_s83, _s161, _k27, _r0), _result(_s83, _s247, _k27, _r0), _result(_s83, _s276, _k27, _r0), _result(_s83, _s290, _k27, _r0), _result(_s83, _s330, _k27, _r0), _s332, _s348, _s359, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k28, _add(t, clock, _r104), _r104) + _select(_s83, _multiply(_k24, _s45, _r41), _k27, _r23)
 
 
@@ -3677,7 +3678,7 @@ def carry_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
     _s16 = _subtract(dvy, _add(_multiply(ny, _s0, _r14), _multiply(dny, _s1, _r12), _r12), _r12)
     _s17 = _subtract(_s16, _multiply(p_ball_radius, _subtract(_add(_multiply(nx, dwz, _r14), _multiply(wz, dnx, _r16), _r16), _add(_multiply(nz, dwx, _r14), _multiply(wx, dnz, _r17), _r17), _r17), _r17), _r17)
     _s18 = _subtract(_s2, _multiply(p_ball_radius, _subtract(_add(_multiply(nz, dwy, _r16), _multiply(wy, dnz, _r14), _r14), _add(_multiply(ny, dwz, _r16), _multiply(wz, dny, _r18), _r18), _r18), _r18), _r18)
-    _s19 = _divide(_multiply(_multiply(_k71, _s11, _r14), _add(_add(_multiply(_multiply(_k48, _s4, _r16), _s15, _r16), _multiply(_multiply(_k48, _s5, _r19), _s17, _r19), _r19), _multiply(_multiply(_k48, _s3, _r16), _s18, _r16), _r16), _r14), _multiply(_s13, _s6, _r16), _r14)
+    _s19 = _divide(_multiply(_multiply(_k72, _s11, _r14), _add(_add(_multiply(_multiply(_k49, _s4, _r16), _s15, _r16), _multiply(_multiply(_k49, _s5, _r19), _s17, _r19), _r19), _multiply(_multiply(_k49, _s3, _r16), _s18, _r16), _r16), _r14), _multiply(_s13, _s6, _r16), _r14)
     _s20 = _subtract(_divide(_negative(_multiply(p_ring_friction, _add(_multiply(_s10, _s0, _r9), _multiply(_s12, _s1, _r16), _r16), _r16), _r16), _s13, _r16), _s19, _r14)
     _s21 = _multiply(_s6, _s7 * _s7, _r1) <= _multiply(_s11, _s11, _r16)
     _s22 = p_ring_friction < _inf
@@ -3687,7 +3688,7 @@ def carry_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
     _s26 = _subtract(_subtract(_s2, _add(_multiply(_s3, _s24, _r21), _multiply(_s18, _s25, _r22), _r22), _r22), _add(_add(_multiply(_multiply(nx, _s9, _r3), _s0, _r3), _multiply(_multiply(nx, _s12, _r21), _s1, _r21), _r21), _multiply(_multiply(dnx, _s9, _r3), _s1, _r3), _r3), _r3)
     _s27 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r22), _absolute(wy, _r21), _r21), _absolute(wz, _r22), _r22), _r22), _absolute(vx, _r21), _r21), _absolute(vy, _r22), _r22)
     _s28 = _add(_s27, _absolute(vz, _r21), _r21)
-    _s29 = _add(_k49, _multiply(_k61, _s28, _r22), _r22)
+    _s29 = _add(_k50, _multiply(_k62, _s28, _r22), _r22)
     _s30 = _add(_absolute(_s26, _r23), _s29, _r23)
     _s31 = _absolute(dwx, _r24)
     _s32 = _absolute(dwy, _r25)
@@ -3854,9 +3855,9 @@ def ring_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx:
     t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _halves(_room[:11])
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
-    _s1 = _k139 / _s0
+    _s1 = _k140 / _s0
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k141 / _s2
+    _s3 = _k142 / _s2
     _s4 = (p_ring_radius - p_ball_radius) - p_wire_radius
     _s5 = _where(_s4 < _s2, _s4, _s2)
     _s6 = _multiply(p_gravity, t, _r0)
@@ -3875,18 +3876,18 @@ def ring_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx:
     _s19 = _add(_add(_multiply(_s18, _s13, _r2), _multiply(_s15, _absolute(_add(vz, _multiply(_s18, t, _r4), _r4), _r4), _r4), _r4), _absolute(z, _r2), _r2)
     _s20 = _add(_k21, _multiply(_k22, _s19, _r2), _r2)
     _s21 = _k33 * (p_ring_radius * _s3)
-    _s22 = _add(_divide(_multiply(_multiply(_k167, _s14, _r4), _add(_add(_s16, _s17, _r7), _s20, _r7), _r4), _s5, _r4), _multiply(_k32 * (_k168 + _s21), _s14, _r8), _r8)
-    _s23 = _multiply(_k142, _s22, _r4)
-    _s24 = _multiply(_k169, _multiply(_divide(_multiply(normal_velocity, normal_velocity, _r7), _add(_add(_multiply(vx, vx, _r9), _multiply(vy, vy, _r10), _r10), _multiply(vz, vz, _r9), _r9), _r9), _s2, _r9), _r9)
+    _s22 = _add(_divide(_multiply(_multiply(_k168, _s14, _r4), _add(_add(_s16, _s17, _r7), _s20, _r7), _r4), _s5, _r4), _multiply(_k32 * (_k169 + _s21), _s14, _r8), _r8)
+    _s23 = _multiply(_k143, _s22, _r4)
+    _s24 = _multiply(_k170, _multiply(_divide(_multiply(normal_velocity, normal_velocity, _r7), _add(_add(_multiply(vx, vx, _r9), _multiply(vy, vy, _r10), _r10), _multiply(vz, vz, _r9), _r9), _r9), _s2, _r9), _r9)
     _s25 = _add(_add(_s12, _s22, _r8), _select(_s23 < _s24, _s24, _s23, _r7), _r7)
-    _s26 = _add(_multiply(_k22, _add(_k170 * _s2, _multiply(_k19, _s0, _r1), _r1), _r1), _add(_add(_multiply(_absolute(nx, _r4), _s16, _r4), _multiply(_absolute(ny, _r5), _s17, _r5), _r5), _multiply(_absolute(nz, _r4), _s20, _r4), _r4), _r4)
-    _s27 = _multiply(_k142, _s26, _r1)
+    _s26 = _add(_multiply(_k22, _add(_k171 * _s2, _multiply(_k19, _s0, _r1), _r1), _r1), _add(_add(_multiply(_absolute(nx, _r4), _s16, _r4), _multiply(_absolute(ny, _r5), _s17, _r5), _r5), _multiply(_absolute(nz, _r4), _s20, _r4), _r4), _r4)
+    _s27 = _multiply(_k143, _s26, _r1)
     _s28 = _add(_add(_s12, _s26, _r4), _select(_s27 < _s24, _s24, _s27, _r6), _r6)
     _s29 = _add(place_n, _s28, _r1)
-    _s30 = _multiply(_k148, _divide(_s11, _s5, _r0), _r0) <= _k139
+    _s30 = _multiply(_k149, _divide(_s11, _s5, _r0), _r0) <= _k140
     _s31 = _k26 < back
     _s32 = _add(place_n, _s25, _r0)
-    return -_multiply(y, _s1, _r4), x * _s1, _s3, _s1, _k141 / _s5, _result(_s31, _select(_s30, _s25, _select(_s25 < _s29, _s29, _s25, _r4), _r9), _s28, _r0), _result(_s31, _select(_s30, _s32, _select(_s32 < _s28, _s28, _s32, _r9), _r4), _s28, _r0), _k32 * (_k171 + _s21)
+    return -_multiply(y, _s1, _r4), x * _s1, _s3, _s1, _k142 / _s5, _result(_s31, _select(_s30, _s25, _select(_s25 < _s29, _s29, _s25, _r4), _r9), _s28, _r0), _result(_s31, _select(_s30, _s32, _select(_s32 < _s28, _s28, _s32, _r9), _r4), _s28, _r0), _k32 * (_k172 + _s21)
 
 
 def ring_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any) -> tuple[Any, ...]:
@@ -3980,7 +3981,7 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s24 = _where(_s22 < _s23, _s23, _s22)
     _s25 = _s24 * _s24
     _s26 = _s24 * _s25
-    _s27 = _multiply(_subtract(_add(_add(_multiply(_k48, _s6, _r2), _multiply(4.0 * p_gravity, z, _r12), _r12), _multiply(_k48, _s21, _r2), _r2), (6.0003662109375 * p_gravity) * _s0, _r2), _s26, _r2)
+    _s27 = _multiply(_subtract(_add(_add(_multiply(_k49, _s6, _r2), _multiply(4.0 * p_gravity, z, _r12), _r12), _multiply(_k49, _s21, _r2), _r2), (6.0003662109375 * p_gravity) * _s0, _r2), _s26, _r2)
     _s28 = _subtract(_multiply(x, vy, _r12), _multiply(y, vx, _r15), _r15)
     _s29 = _multiply(_s28, _s28, _r15)
     _s30 = _subtract(_s27, _multiply(2.0 * p_ring_radius, _s29, _r12), _r12)
@@ -3988,8 +3989,8 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s32 = _add(x, _multiply(vx, horizon, _r7), _r7)
     _s33 = _add(y, _multiply(vy, horizon, _r8), _r8)
     _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < _k4, _k39, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < _k4, _k39, _k4, _r8), _r15)
-    _s35 = _select(_subtract(_multiply(_multiply(_k90, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k48, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k4, _s34, _k4, _r7)
-    _s36 = _select(horizon < _subtract(_s11, _multiply(_k78, horizon, _r10), _r10), _k39, _select(_k4 < _s20, _select(_k4 < _s30, _s35, _k4, _r12), _k4, _r13), _r10)
+    _s35 = _select(_subtract(_multiply(_multiply(_k91, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(_k49, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < _k4, _s34, _k4, _r7)
+    _s36 = _select(horizon < _subtract(_s11, _multiply(_k79, horizon, _r10), _r10), _k39, _select(_k4 < _s20, _select(_k4 < _s30, _s35, _k4, _r12), _k4, _r13), _r10)
     _s37 = _add(_multiply(x, vx, _r4), _multiply(y, vy, _r9), _r9)
     _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
     _s39 = _select(_s38 < _k4, _select(_s18 < _add(_multiply(_s10, _add(_s37, _s38, _r14), _r14), _add(_multiply(x, x, _r9), _multiply(y, y, _r4), _r4), _r4), _s36, _k4, _r4), _k4, _r14)
@@ -4005,7 +4006,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35 = _room[:36]
     _s0 = _multiply(vz, vz, _r0)
     _s1 = _add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2)
-    _s2 = _add(_multiply(_k48, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(_k48, _s1, _r1)
+    _s2 = _add(_multiply(_k49, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(_k49, _s1, _r1)
     _s3 = _subtract(_multiply(x, vy, _r1), _multiply(y, vx, _r3), _r3)
     _s4 = _multiply(_s3, _s3, _r1)
     _s5 = (2.0 * p_ring_radius) * _s4
@@ -4013,36 +4014,36 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s7 = p_ball_radius + p_wire_radius
     _s8 = 1.00006103515625 * _s7
     _s9 = 2.0 * p_gravity
-    _s10 = _multiply(_k75, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
+    _s10 = _multiply(_k76, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
     _s11 = _add(_add(_s0, _multiply(_s9, _add(z, _s8, _r6), _r6), _r6), _s10, _r6)
     _s12 = 1.0 / p_gravity
     _s13 = _sqrt(_s11, _r7)
-    _s14 = _multiply(_k72, _add(_absolute(vz, _r8), _s13, _r8), _r8)
+    _s14 = _multiply(_k73, _add(_absolute(vz, _r8), _s13, _r8), _r8)
     _s15 = _k4 <= _s11
     _s16 = _select(_s15, _multiply(_s12, _subtract(_subtract(vz, _s13, _r6), _s14, _r6), _r6), _k5, _r9)
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = _multiply(_multiply(_k72, _s1, _r10), _add(_s18, _s6, _r11), _r10)
+    _s19 = _multiply(_multiply(_k73, _s1, _r10), _add(_s18, _s6, _r11), _r10)
     _s20 = _subtract(_add(_multiply(_s18, _s1, _r11), _s19, _r11), _s4, _r11)
     _s21 = _add(_multiply(x, vx, _r12), _multiply(y, vy, _r13), _r13)
     _s22 = _sqrt(_s20, _r12)
-    _s23 = _multiply(_k72, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
+    _s23 = _multiply(_k73, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
     _s24 = _divide(_k39, _s1, _r14)
     _s25 = _k4 <= _s20
-    _s26 = _k179 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k5, _r15), _k180, _r16)
+    _s26 = _k180 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k5, _r15), _k181, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
     _s33 = _sqrt(_select(_s32 < _k4, _k4, _s32, _r1), _r1)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k180, _r10), _k5, _r18)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k181, _r10), _k5, _r18)
     _s35 = _k4 < _select(_s26, _s32, _k4, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
     _s38 = _sqrt(_select(_s37 < _k4, _k4, _s37, _r4), _r4)
-    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k180, _r0)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k181, _r0)
     _s40 = _k4 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
@@ -4063,7 +4064,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s57 = _select(_s56 < _s53, _s53, _s56, _r33)
     _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)
     _s59 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s12, _add((2.0 * p_ball_radius) + (2.0 * p_wire_radius), extent, _r34), _r34), _r34), _r34)
-    _s60 = _add(_s59, _multiply(_multiply(_k48, speed, _r35), _s12, _r35), _r35)
+    _s60 = _add(_s59, _multiply(_multiply(_k49, speed, _r35), _s12, _r35), _r35)
     _s61 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s60 < horizon, _s60, horizon, _r34), _r34), _r34), 1.52587890625e-05 * p_ball_radius, _r34), 1.52587890625e-05 * p_wire_radius, _r34)
     return _s2, _s5, _sqrt(_s6), _result(_k4 < _s28, _s28, _k4, _r0), _result(_s42 < horizon, _s42, horizon, _r0), _result(_k4 < _s50, _s50, _k4, _r0), _result(_s51 < horizon, _s51, horizon, _r0), _result(_k4 < _s52, _s52, _k4, _r0), _result(_s53 < horizon, _s53, horizon, _r0), _add((6.0003662109375 * p_gravity) * _s7, _multiply(_s5, _s54 * (_s54 * _s54), _r29), _r29) + _absolute(_s2, _r24), _result(_s57 < horizon, _s57, horizon, _r0), _result(_s58 < _s61, _s61, _s58, _r0)
 
@@ -4085,9 +4086,9 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s8 = 0.0001220703125 * p_ring_radius
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
-    _s11 = _multiply(_k93, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k61, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = _k12 * _add(_add(_multiply(_multiply(_k182, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k14, _s3, _r2), _r2), _s11, _r2)
-    return _k12 * _add(_add(_multiply(_multiply(_k14, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k12 * _add(_multiply(_k182, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+    _s11 = _multiply(_k94, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k62, _s1, _r5), _r5), _r5), _r5), _r5)
+    _s12 = _k12 * _add(_add(_multiply(_multiply(_k183, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k14, _s3, _r2), _r2), _s11, _r2)
+    return _k12 * _add(_add(_multiply(_multiply(_k14, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k12 * _add(_multiply(_k183, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4104,8 +4105,8 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s5 = _subtract(_s2, p_ring_radius, _r5)
     _s6 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r6), _r6)
     _s7 = _add(z, _multiply(t, _s6, _r7), _r7)
-    _s8 = _k48 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_s7, _subtract(vz, _multiply(p_gravity, t, _r2), _r2), _r2), _r2)
-    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(_k48, _add(_multiply(x, vx, _r2), _multiply(y, vy, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
+    _s8 = _k49 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_s7, _subtract(vz, _multiply(p_gravity, t, _r2), _r2), _r2), _r2)
+    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(_k49, _add(_multiply(x, vx, _r2), _multiply(y, vy, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = _result(_k4 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r1), _r1), _r1), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r0)
     return t - _divide(_s11, _s8, _r7), _s11, _s8
@@ -4123,7 +4124,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s3 = _subtract(_s2, p_ring_radius, _r2)
     _s4 = _add(rho_start, _s2, _r4)
     _s5 = _divide(_k39, _multiply(_s4, _s2, _r5), _r5)
-    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(_k48, _add(_multiply(x, vx, _r6), _multiply(y, vy, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
+    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(_k49, _add(_multiply(x, vx, _r6), _multiply(y, vy, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
     _s7 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r7), _r7)
     _s8 = _add(z, _multiply(t, _s7, _r6), _r6)
     _s9 = p_ball_radius + p_wire_radius
@@ -4131,7 +4132,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s11 = _multiply(_s4, _s5, _r5)
     _s12 = _multiply(_s11, _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1)
     _s13 = _subtract(vz, _multiply(p_gravity, t, _r0), _r0)
-    _s14 = _k48 * _add(_multiply(_s12, _s3, _r2), _multiply(_s8, _s13, _r4), _r4)
+    _s14 = _k49 * _add(_multiply(_s12, _s3, _r2), _multiply(_s8, _s13, _r4), _r4)
     _s15 = 6.0 * p_gravity
     _s16 = _multiply(_s15, _s8, _r4)
     _s17 = _multiply(moment2, _multiply(_s11, _multiply(_s11, _s11, _r2), _r2), _r2)
@@ -4142,8 +4143,8 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s22 = _select(_s21 < _k4, _k4, _s21, _r9)
     _s23 = _subtract(_add(_s16, _s17, _r8), energy2, _r8)
     _s24 = _s20 < _k4
-    _s25 = _multiply(_k48, _s22, _r10)
-    _s26 = _select(_k4 < _select(_k4 <= _s20, _s22, _k4, _r11), _k5, _divide(_select(_s24, _s25, _multiply(_k90, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k4 < _s23, _s23, _k4, _r14), _r15), _r12), _r11)
+    _s25 = _multiply(_k49, _s22, _r10)
+    _s26 = _select(_k4 < _select(_k4 <= _s20, _s22, _k4, _r11), _k5, _divide(_select(_s24, _s25, _multiply(_k91, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r13), _select(_k4 < _s23, _s23, _k4, _r14), _r15), _r12), _r11)
     _s27 = _subtract(end, t, _r15)
     _s28 = _select(_s26 < _s27, _s26, _s27, _r14)
     _s29 = _add(_s19, _add(_multiply(_s28, _select(_s13 < _k4, _k4, _s13, _r8), _r8), _s8, _r8), _r8)
@@ -4154,13 +4155,13 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s34 = _where(_s32 < _s33, _s33, _s32)
     _s35 = _divide(_k39, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
     _s36 = _multiply(moment2, _multiply(_s35, _multiply(_s35, _s35, _r8), _r8), _r8)
-    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k115, _add(_add(_s36, _absolute(energy2, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), energy2, _r6)
-    _s38 = _add(_multiply(_multiply(_k48, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(_k116, _add(_add(_s36, _absolute(energy2, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), energy2, _r6)
+    _s38 = _add(_multiply(_multiply(_k49, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r9), _r9)
     _s39 = _sqrt(_s38, _r3)
     _s40 = _select(_k4 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r9), _r7), _select(_s24, _subtract(_s39, _s20, _r3), _select(_k4 < _s37, _s37, _k4, _r5), _r1), _r7), _k5, _r9)
     _s41 = _result(_s40 < _s28, _s40, _s28, _r0)
     _s42 = _negative(_add(rate_margin, _s14, _r1), _r1)
-    return _s10, _s14, _subtract(energy2, _s16, _r4) - _s17, _s41, t + _s41, _result(_k4 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k51, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
+    return _s10, _s14, _subtract(energy2, _s16, _r4) - _s17, _s41, t + _s41, _result(_k4 < _s42, _subtract(_multiply(_s42, _s42, _r9), _multiply(_multiply(_k52, ceiling, _r7), _add(margin, _s25, _r10), _r7), _r7), _s42, _r0)
 
 
 def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4171,47 +4172,47 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = _k186 * (p_ball_radius + p_wire_radius)
+    _s1 = _k187 * (p_ball_radius + p_wire_radius)
     _s2 = _k33 * p_gravity
-    _s3 = _multiply(_k187, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s3 = _multiply(_k188, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
-    _s5 = _k141 / p_gravity
+    _s5 = _k142 / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(_k145, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s7 = _multiply(_k146, _add(_absolute(vz, _r4), _s6, _r4), _r4)
     _s8 = _k26 <= _s4
     _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k27, _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(_k145, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_k146, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(_k145, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
-    _s20 = _divide(_k139, _s10, _r13)
+    _s19 = _multiply(_k146, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s20 = _divide(_k140, _s10, _r13)
     _s21 = _k26 <= _s16
-    _s22 = _k188 < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k27, _r14), _k189, _r15)
+    _s22 = _k189 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k27, _r14), _k190, _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
     _s25 = _select(_k26 < _s24, _s24, _k26, _r17)
     _s26 = _select(_k26 < _s25, _s25, _k26, _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = _k190 * p_ring_radius
+    _s28 = _k191 * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
     _s31 = _sqrt(_select(_s30 < _k26, _k26, _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k189, _r6), _k27, _r19)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k190, _r6), _k27, _r19)
     _s33 = _k26 < _select(_s22, _s30, _k26, _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
     _s36 = _sqrt(_select(_s35 < _k26, _k26, _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k189, _r0)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k190, _r0)
     _s38 = _k26 < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(_k191, horizon, _r24)
+    _s41 = _multiply(_k192, horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
     _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k27, _r13)
@@ -4236,8 +4237,8 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s63 = _select(_k26 < _s40, _s40, _k26, _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k147 * _s29)), (_s11 <= ((_k147 * p_ball_radius) + (_k147 * p_wire_radius)))), (_s11 <= _k192)), (_k193 <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k26, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k26, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k192)), (_k193 <= p_gravity)), (extent <= _k194)), (speed <= _k194))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k148 * _s29)), (_s11 <= ((_k148 * p_ball_radius) + (_k148 * p_wire_radius)))), (_s11 <= _k193)), (_k194 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k26, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k26, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k193)), (_k194 <= p_gravity)), (extent <= _k195)), (speed <= _k195))
 
 
 def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4250,30 +4251,30 @@ def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any
     _s0 = _k26 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k186 * _s2
+    _s3 = _k187 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k190 * p_ring_radius
+    _s5 = _k191 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
-    _s8 = _where(_k141 < _s7, _s7, _k141)
+    _s8 = _where(_k142 < _s7, _s7, _k142)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(_k144, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_k199, start_rate, _r3), _s11, _r3)
-    _s13 = _select(_s12 < _k200, _s12, _k200, _r5)
-    _s14 = _result(_s0, _select(_k201 < _s13, _s13, _k201, _r6), _k200, _r0)
-    _s15 = _add(_multiply(_k19, _multiply(vz, vz, _r7), _r7), _multiply(_k163 * p_gravity, z, _r8), _r8) + _multiply(_k19, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_k145, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_k200, start_rate, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _k201, _s12, _k201, _r5)
+    _s14 = _result(_s0, _select(_k202 < _s13, _s13, _k202, _r6), _k201, _r0)
+    _s15 = _add(_multiply(_k19, _multiply(vz, vz, _r7), _r7), _multiply(_k164 * p_gravity, z, _r8), _r8) + _multiply(_k19, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s17 = (_k33 * p_ring_radius) * _multiply(_s16, _s16, _r8)
-    _s18 = _k141 / _s6
+    _s18 = _k142 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((_k202 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_k203 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k145, _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(_k203, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _k34, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k24 * _s20, (_k204 * _s2) * _s24, _result(_s0, _multiply(_k24, _add(_multiply(_k187, _absolute(start_rate, _r12), _r12), _multiply(_add(_k205, _s14, _r2), _s11, _r2), _r2), _r2), _k27, _r0), _k24 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k154 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k144 * _add(_multiply(_multiply(_k24, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k206, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k207 * p_ball_radius) + (_k207 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k26))
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k146, _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(_k204, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _k34, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k24 * _s20, (_k205 * _s2) * _s24, _result(_s0, _multiply(_k24, _add(_multiply(_k188, _absolute(start_rate, _r12), _r12), _multiply(_add(_k206, _s14, _r2), _s11, _r2), _r2), _r2), _k27, _r0), _k24 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k155 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k145 * _add(_multiply(_multiply(_k24, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k207, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k208 * p_ball_radius) + (_k208 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k26))
 
 
 def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4294,7 +4295,7 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s8 = _add(y, _multiply(vy, t, _r5), _r5)
     _s9 = _sqrt(_add(_multiply(_s7, _s7, _r6), _multiply(_s8, _s8, _r7), _r7), _r7)
     _s10 = _add(rho_start, _s9, _r6)
-    _s11 = _divide(_k139, _multiply(_s10, _s9, _r8), _r8)
+    _s11 = _divide(_k140, _multiply(_s10, _s9, _r8), _r8)
     _s12 = _multiply(_s9, _s11, _r9)
     _s13 = _multiply(_s12, _add(_multiply(t, _s6, _r10), _multiply(_k19, _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12), _r12), _r12), _r12)
     _s14 = _subtract(vz, _multiply(_k20 * p_gravity, t, _r10), _r10)
@@ -4313,32 +4314,32 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s27 = _select(_s26 < _k26, _k26, _s26, _r15)
     _s28 = _multiply(_k19, _add(_s27, _multiply(_k19, _s25, _r12), _r12), _r12)
     _s29 = _subtract(_s22, _s5, _r2)
-    _s30 = _k213 * p_gravity
+    _s30 = _k214 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(moment2, _multiply(_s17, _multiply(_s17, _s17, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), energy2, _r17)
     _s34 = _s29 < _k26
     _s35 = _multiply(_k19, _s27, _r18)
-    _s36 = _select(_k26 < _select(_k26 <= _s29, _s27, _k26, _r19), _k27, _divide(_select(_s34, _add(_s35, _multiply(_k214, _s25, _r19), _r19), _multiply(_k148, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k26 < _s33, _s33, _k26, _r23), _r24), _r21), _r20)
+    _s36 = _select(_k26 < _select(_k26 <= _s29, _s27, _k26, _r19), _k27, _divide(_select(_s34, _add(_s35, _multiply(_k215, _s25, _r19), _r19), _multiply(_k149, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k26 < _s33, _s33, _k26, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _k186 * _s24
-    _s40 = _add((_k190 * p_ball_radius) + (_k190 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k26, _k26, _s21, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k187 * _s24
+    _s40 = _add((_k191 * p_ball_radius) + (_k191 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k26, _k26, _s21, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k26 < _s18, _k26, _s18, _r23), _r23), _s9, _r23), _multiply(_k215, _s42, _r7), _r7), _k160 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k26 < _s18, _k26, _s18, _r23), _r23), _s9, _r23), _multiply(_k216, _s42, _r7), _r7), _k161 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = _k190 * p_ring_radius
+    _s45 = _k191 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
-    _s47 = _divide(_k139, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
+    _s47 = _divide(_k140, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(moment2, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(energy2, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k216, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k217, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
     _s51 = _negative(_s21, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k193 * p_ball_radius) + (_k193 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k26, _k26, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k217, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(energy2, _add(_s52, _multiply(_k218, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k194 * p_ball_radius) + (_k194 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k26, _k26, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k218, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(energy2, _add(_s52, _multiply(_k219, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
-    _s55 = _select(_k26 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k214, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
+    _s55 = _select(_k26 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k215, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
     _s56 = _k26 < _s55
     _s57 = _add(_multiply(_multiply(_k19, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
@@ -4363,7 +4364,7 @@ def ring_started(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radiu
     _r0, _r1 = _room[:2]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1))
     _s1 = _add(_multiply(x, vx, _r1), _multiply(y, vy, _r0), _r0) / _s0
-    return _s0, _k48 * _add(_multiply(z, vz, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
+    return _s0, _k49 * _add(_multiply(z, vz, _r0), _multiply(_s1, _subtract(_s0, p_ring_radius, _r1), _r1), _r1), _s1
 
 
 def ring_coarse_excess(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4379,7 +4380,7 @@ def ring_coarse_excess(share: Any, horizon: Any, extent: Any, speed: Any, positi
     _s4 = p_ring_radius - _s2
     _s5 = 0.0001220703125 * p_ring_radius
     _s6 = _s2 / _where(_s4 < _s5, _s5, _s4)
-    _s7 = _subtract(_add(position_error, _multiply(_multiply(_k71, horizon, _r3), velocity_error, _r3), _r3), _s1, _r3)
+    _s7 = _subtract(_add(position_error, _multiply(_multiply(_k72, horizon, _r3), velocity_error, _r3), _r3), _s1, _r3)
     _s8 = _add(_multiply(_multiply(_s0, _where(1.0 < _s6, _s6, 1.0), _r1), _select(_s7 < _s3, _s3, _s7, _r4), _r4), _multiply(_s2, _subtract(velocity_error, _multiply(share, _s0, _r0), _r0), _r0), _r0)
     return _result(_s3 < _s8, _s8, _s3, _r0),
 
@@ -4393,7 +4394,7 @@ def ring_budget_exceeded(horizon: Any, extent: Any, speed: Any, position_error: 
     _s0 = (0.000244140625 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = 1.0 / p_gravity
     _s2 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s1, _add((2.0 * p_ball_radius) + (2.0 * p_wire_radius), extent, _r0), _r0), _r0), _r0)
-    _s3 = _add(_s2, _multiply(_multiply(_k48, speed, _r1), _s1, _r1), _r1)
+    _s3 = _add(_s2, _multiply(_multiply(_k49, speed, _r1), _s1, _r1), _r1)
     _s4 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s3 < horizon, _s3, horizon, _r0), _r0), _r0), 1.52587890625e-05 * p_ball_radius, _r0), 1.52587890625e-05 * p_wire_radius, _r0)
     return _result(_s0 < _s4, _s4, _s0, _r0),
 
@@ -4408,9 +4409,9 @@ def ring_beside(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, x: A
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0), _r0)
     _s3 = 2.0 * p_ring_radius
-    _s4 = _add(_multiply(_multiply(_k48, z, _r2), vz, _r2), _divide(_multiply(_multiply(_k71, _subtract(_multiply(_k48, _s0, _r3), _s3, _r3), _r3), _add(_multiply(_multiply(_k48, x, _r4), vx, _r4), _multiply(_multiply(_k48, y, _r5), vy, _r5), _r5), _r3), _s0, _r3), _r3)
+    _s4 = _add(_multiply(_multiply(_k49, z, _r2), vz, _r2), _divide(_multiply(_multiply(_k72, _subtract(_multiply(_k49, _s0, _r3), _s3, _r3), _r3), _add(_multiply(_multiply(_k49, x, _r4), vx, _r4), _multiply(_multiply(_k49, y, _r5), vy, _r5), _r5), _r3), _s0, _r3), _r3)
     _s5 = _subtract(_divide(_s3, _s0, _r1), _k39, _r1)
-    return _subtract(_s2, p_ball_radius, _r2) - p_wire_radius, _multiply(_k71, _s4, _r3) / _s2, _select(_k4 < _s5, _s5, _k4, _r3) / (p_ball_radius + p_wire_radius)
+    return _subtract(_s2, p_ball_radius, _r2) - p_wire_radius, _multiply(_k72, _s4, _r3) / _s2, _select(_k4 < _s5, _s5, _k4, _r3) / (p_ball_radius + p_wire_radius)
 
 
 def ring_closing(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, nx: Any, ny: Any, nz: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, rolling_acceleration_x: Any, rolling_acceleration_y: Any, rolling_acceleration_z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4422,20 +4423,20 @@ def ring_closing(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, x: 
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
-    _s3 = _multiply(_k48, z, _r2)
-    _s4 = _multiply(_k48, x, _r4)
-    _s5 = _multiply(_k48, y, _r5)
+    _s3 = _multiply(_k49, z, _r2)
+    _s4 = _multiply(_k49, x, _r4)
+    _s5 = _multiply(_k49, y, _r5)
     _s6 = _add(_multiply(_s4, rolled_x, _r6), _multiply(_s5, rolled_y, _r7), _r7)
     _s7 = _divide(_k39, _s0, _r1)
-    _s8 = _multiply(_multiply(_k71, _s6, _r6), _s7, _r6)
-    _s9 = _add(_multiply(_s3, rolled_z, _r8), _multiply(_multiply(_k48, _s8, _r9), _s1, _r9), _r9)
+    _s8 = _multiply(_multiply(_k72, _s6, _r6), _s7, _r6)
+    _s9 = _add(_multiply(_s3, rolled_z, _r8), _multiply(_multiply(_k49, _s8, _r9), _s1, _r9), _r9)
     _s10 = _divide(_k39, _s2, _r8)
-    _s11 = _multiply(_k71, _s9, _r10) * _s10
-    _s12 = _add(_multiply(_negative(_multiply(_s8, _multiply(_s7, _s7, _r10), _r10), _r10), _s6, _r10), _multiply(_add(_multiply(_k48, _add(_multiply(rolled_x, rolled_x, _r7), _multiply(x, rolling_acceleration_x, _r11), _r11), _r11), _multiply(_k48, _add(_multiply(rolled_y, rolled_y, _r7), _multiply(y, rolling_acceleration_y, _r12), _r12), _r12), _r12), _s7, _r12), _r12)
-    _s13 = _multiply(_add(_multiply(_k48, _add(_multiply(rolled_z, rolled_z, _r10), _multiply(z, rolling_acceleration_z, _r11), _r11), _r11), _multiply(_k48, _add(_multiply(_s1, _multiply(_k71, _s12, _r12), _r12), _multiply(_s8, _s8, _r6), _r6), _r6), _r6), _s10, _r6)
-    _s14 = _k71 * _add(_multiply(_negative(_multiply(_s11, _multiply(_s10, _s10, _r11), _r11), _r11), _s9, _r11), _s13, _r6)
-    _s15 = _multiply(_multiply(_k48, _multiply(_multiply(_k71, _add(_multiply(_s4, nx, _r4), _multiply(_s5, ny, _r5), _r5), _r5), _s7, _r5), _r5), _s1, _r5)
-    return _subtract(_s2, p_ball_radius, _r3) - p_wire_radius, _s11, _s14, _multiply(_k71, _add(_multiply(_s3, nz, _r2), _s15, _r5), _r5) * _s10
+    _s11 = _multiply(_k72, _s9, _r10) * _s10
+    _s12 = _add(_multiply(_negative(_multiply(_s8, _multiply(_s7, _s7, _r10), _r10), _r10), _s6, _r10), _multiply(_add(_multiply(_k49, _add(_multiply(rolled_x, rolled_x, _r7), _multiply(x, rolling_acceleration_x, _r11), _r11), _r11), _multiply(_k49, _add(_multiply(rolled_y, rolled_y, _r7), _multiply(y, rolling_acceleration_y, _r12), _r12), _r12), _r12), _s7, _r12), _r12)
+    _s13 = _multiply(_add(_multiply(_k49, _add(_multiply(rolled_z, rolled_z, _r10), _multiply(z, rolling_acceleration_z, _r11), _r11), _r11), _multiply(_k49, _add(_multiply(_s1, _multiply(_k72, _s12, _r12), _r12), _multiply(_s8, _s8, _r6), _r6), _r6), _r6), _s10, _r6)
+    _s14 = _k72 * _add(_multiply(_negative(_multiply(_s11, _multiply(_s10, _s10, _r11), _r11), _r11), _s9, _r11), _s13, _r6)
+    _s15 = _multiply(_multiply(_k49, _multiply(_multiply(_k72, _add(_multiply(_s4, nx, _r4), _multiply(_s5, ny, _r5), _r5), _r5), _s7, _r5), _r5), _s1, _r5)
+    return _subtract(_s2, p_ball_radius, _r3) - p_wire_radius, _s11, _s14, _multiply(_k72, _add(_multiply(_s3, nz, _r2), _s15, _r5), _r5) * _s10
 
 
 def ring_distance(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4478,43 +4479,43 @@ def ring_separation(p_gravity: Any, p_ring_radius: Any, x: Any, y: Any, z: Any, 
     derivatives of Table 2's distance. 148 operations: 41 additions, 2 subtractions, 94 multiplications, 2 divisions, 2 square roots, 7 negations.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23 = _room[:24]
-    _s0 = _add(_multiply(_multiply(_k48, x, _r0), vx, _r0), _multiply(_multiply(_k48, y, _r1), vy, _r1), _r1)
+    _s0 = _add(_multiply(_multiply(_k49, x, _r0), vx, _r0), _multiply(_multiply(_k49, y, _r1), vy, _r1), _r1)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r2), _r2), _r2)
     _s2 = _divide(_k39, _s1, _r0)
-    _s3 = _multiply(_multiply(_k71, _s0, _r3), _s2, _r3)
+    _s3 = _multiply(_multiply(_k72, _s0, _r3), _s2, _r3)
     _s4 = _subtract(_s1, p_ring_radius, _r2)
-    _s5 = _multiply(_k48, _s3, _r4)
-    _s6 = _add(_multiply(_multiply(_k48, z, _r5), vz, _r5), _multiply(_s5, _s4, _r6), _r6)
+    _s5 = _multiply(_k49, _s3, _r4)
+    _s6 = _add(_multiply(_multiply(_k49, z, _r5), vz, _r5), _multiply(_s5, _s4, _r6), _r6)
     _s7 = _divide(_k39, _sqrt(_add(_multiply(z, z, _r5), _multiply(_s4, _s4, _r7), _r7), _r7), _r7)
-    _s8 = _multiply(_multiply(_k71, _s6, _r5), _s7, _r5)
+    _s8 = _multiply(_multiply(_k72, _s6, _r5), _s7, _r5)
     _s9 = _multiply(_s7, _s7, _r8)
     _s10 = _negative(_multiply(_s8, _s9, _r9), _r9)
     _s11 = _multiply(_s2, _s2, _r10)
     _s12 = _negative(_multiply(_s3, _s11, _r11), _r11)
-    _s13 = _add(_multiply(_k48, _multiply(vx, vx, _r12), _r12), _multiply(_k48, _multiply(vy, vy, _r13), _r13), _r13)
-    _s14 = _multiply(_k71, _add(_multiply(_s12, _s0, _r12), _multiply(_s13, _s2, _r14), _r14), _r14)
-    _s15 = _add(_multiply(_k48, _subtract(_multiply(vz, vz, _r12), _multiply(p_gravity, z, _r15), _r15), _r15), _multiply(_k48, _add(_multiply(_s4, _s14, _r12), _multiply(_s3, _s3, _r16), _r16), _r16), _r16)
-    _s16 = _k71 * _add(_multiply(_s10, _s6, _r15), _multiply(_s15, _s7, _r12), _r12)
+    _s13 = _add(_multiply(_k49, _multiply(vx, vx, _r12), _r12), _multiply(_k49, _multiply(vy, vy, _r13), _r13), _r13)
+    _s14 = _multiply(_k72, _add(_multiply(_s12, _s0, _r12), _multiply(_s13, _s2, _r14), _r14), _r14)
+    _s15 = _add(_multiply(_k49, _subtract(_multiply(vz, vz, _r12), _multiply(p_gravity, z, _r15), _r15), _r15), _multiply(_k49, _add(_multiply(_s4, _s14, _r12), _multiply(_s3, _s3, _r16), _r16), _r16), _r16)
+    _s16 = _k72 * _add(_multiply(_s10, _s6, _r15), _multiply(_s15, _s7, _r12), _r12)
     _s17 = _multiply(_s10, _s15, _r12)
-    _s18 = _multiply(_k48, _s10, _r15)
+    _s18 = _multiply(_k49, _s10, _r15)
     _s19 = _negative(_add(_multiply(_s16, _s9, _r17), _multiply(_multiply(_s18, _s8, _r18), _s7, _r18), _r18), _r18)
     _s20 = _multiply(_s12, _s13, _r17)
-    _s21 = _multiply(_k48, _s12, _r19)
+    _s21 = _multiply(_k49, _s12, _r19)
     _s22 = _negative(_add(_multiply(_s14, _s11, _r20), _multiply(_multiply(_s21, _s3, _r21), _s2, _r21), _r21), _r21)
-    _s23 = _multiply(_k71, _add(_s20, _add(_s20, _multiply(_s0, _s22, _r20), _r20), _r20), _r20)
-    _s24 = _add(_multiply(_k48, _negative(_multiply(3.0 * p_gravity, vz, _r17), _r17), _r17), _multiply(_k48, _add(_multiply(_s5, _s14, _r4), _add(_multiply(_s3, _s14, _r22), _multiply(_s4, _s23, _r23), _r23), _r23), _r23), _r23)
-    _s25 = _k71 * _add(_add(_s17, _multiply(_s6, _s19, _r17), _r17), _add(_s17, _multiply(_s24, _s7, _r4), _r4), _r4)
+    _s23 = _multiply(_k72, _add(_s20, _add(_s20, _multiply(_s0, _s22, _r20), _r20), _r20), _r20)
+    _s24 = _add(_multiply(_k49, _negative(_multiply(3.0 * p_gravity, vz, _r17), _r17), _r17), _multiply(_k49, _add(_multiply(_s5, _s14, _r4), _add(_multiply(_s3, _s14, _r22), _multiply(_s4, _s23, _r23), _r23), _r23), _r23), _r23)
+    _s25 = _k72 * _add(_add(_s17, _multiply(_s6, _s19, _r17), _r17), _add(_s17, _multiply(_s24, _s7, _r4), _r4), _r4)
     _s26 = _multiply(_s10, _s24, _r23)
     _s27 = _multiply(_s3, _s23, _r4)
     _s28 = _add(_s27, _multiply(_s14, _s14, _r17), _r17)
     _s29 = _multiply(_s13, _s22, _r13)
-    _s30 = _add(_add(_multiply(_s23, _s11, _r20), _multiply(_multiply(_s21, _s14, _r19), _s2, _r19), _r19), _multiply(_k48, _add(_add(_multiply(_multiply(_s12, _s12, _r20), _s3, _r20), _multiply(_multiply(_s12, _s14, _r14), _s2, _r14), _r14), _multiply(_multiply(_s3, _s22, _r21), _s2, _r21), _r21), _r21), _r21)
-    _s31 = _multiply(_k71, _add(_s29, _add(_s29, _add(_multiply(_s0, _negative(_s30, _r21), _r21), _s29, _r21), _r21), _r21), _r21)
-    _s32 = _add(2.0 * (3.0 * (p_gravity * p_gravity)), _multiply(_k48, _add(_multiply(_k48, _s28, _r13), _add(_add(_s27, _multiply(_s4, _s31, _r21), _r21), _s28, _r21), _r21), _r21), _r21)
+    _s30 = _add(_add(_multiply(_s23, _s11, _r20), _multiply(_multiply(_s21, _s14, _r19), _s2, _r19), _r19), _multiply(_k49, _add(_add(_multiply(_multiply(_s12, _s12, _r20), _s3, _r20), _multiply(_multiply(_s12, _s14, _r14), _s2, _r14), _r14), _multiply(_multiply(_s3, _s22, _r21), _s2, _r21), _r21), _r21), _r21)
+    _s31 = _multiply(_k72, _add(_s29, _add(_s29, _add(_multiply(_s0, _negative(_s30, _r21), _r21), _s29, _r21), _r21), _r21), _r21)
+    _s32 = _add(2.0 * (3.0 * (p_gravity * p_gravity)), _multiply(_k49, _add(_multiply(_k49, _s28, _r13), _add(_add(_s27, _multiply(_s4, _s31, _r21), _r21), _s28, _r21), _r21), _r21), _r21)
     _s33 = _multiply(_s15, _s19, _r16)
     _s34 = _add(_s26, _s33, _r13)
-    _s35 = _add(_add(_multiply(_s25, _s9, _r8), _multiply(_multiply(_s18, _s16, _r15), _s7, _r15), _r15), _multiply(_k48, _add(_add(_multiply(_multiply(_s10, _s10, _r8), _s8, _r8), _multiply(_multiply(_s10, _s16, _r9), _s7, _r9), _r9), _multiply(_multiply(_s8, _s19, _r18), _s7, _r18), _r18), _r18), _r18)
-    _s36 = _k71 * _add(_add(_add(_s26, _multiply(_s32, _s7, _r21), _r21), _s34, _r21), _add(_s34, _add(_multiply(_s6, _negative(_s35, _r18), _r18), _s33, _r18), _r18), _r18)
+    _s35 = _add(_add(_multiply(_s25, _s9, _r8), _multiply(_multiply(_s18, _s16, _r15), _s7, _r15), _r15), _multiply(_k49, _add(_add(_multiply(_multiply(_s10, _s10, _r8), _s8, _r8), _multiply(_multiply(_s10, _s16, _r9), _s7, _r9), _r9), _multiply(_multiply(_s8, _s19, _r18), _s7, _r18), _r18), _r18), _r18)
+    _s36 = _k72 * _add(_add(_add(_s26, _multiply(_s32, _s7, _r21), _r21), _s34, _r21), _add(_s34, _add(_multiply(_s6, _negative(_s35, _r18), _r18), _s33, _r18), _r18), _r18)
     return _s16, _s25, _s36
 
 
@@ -4555,16 +4556,16 @@ def ring_round_moved(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any,
     _s9 = _multiply(_s3, _s8, _r0)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = _add(p_ring_radius, _multiply(_s9, _s10, _r2), _r2)
-    _s12 = _multiply(t, _add(_multiply(_k223, omega_9, _r4), _multiply(t, _add(_multiply(_k224, omega_10, _r5), _multiply(_multiply(_k225, t, _r6), omega_11, _r6), _r6), _r6), _r6), _r6)
-    _s13 = _add(_multiply(_k97, omega_6, _r4), _multiply(t, _add(_multiply(_k54, omega_7, _r5), _multiply(t, _add(_multiply(_k101, omega_8, _r7), _s12, _r6), _r6), _r6), _r6), _r6)
-    _s14 = _add(_multiply(_k52, omega_3, _r4), _multiply(t, _add(_multiply(_k91, omega_4, _r5), _multiply(t, _add(_multiply(_k94, omega_5, _r7), _multiply(t, _s13, _r6), _r6), _r6), _r6), _r6), _r6)
-    _s15 = _add(omega_0, _multiply(t, _add(_multiply(_k71, omega_1, _r4), _multiply(t, _add(_multiply(_k87, omega_2, _r5), _multiply(t, _s14, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s12 = _multiply(t, _add(_multiply(_k224, omega_9, _r4), _multiply(t, _add(_multiply(_k225, omega_10, _r5), _multiply(_multiply(_k226, t, _r6), omega_11, _r6), _r6), _r6), _r6), _r6)
+    _s13 = _add(_multiply(_k98, omega_6, _r4), _multiply(t, _add(_multiply(_k55, omega_7, _r5), _multiply(t, _add(_multiply(_k102, omega_8, _r7), _s12, _r6), _r6), _r6), _r6), _r6)
+    _s14 = _add(_multiply(_k53, omega_3, _r4), _multiply(t, _add(_multiply(_k92, omega_4, _r5), _multiply(t, _add(_multiply(_k95, omega_5, _r7), _multiply(t, _s13, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s15 = _add(omega_0, _multiply(t, _add(_multiply(_k72, omega_1, _r4), _multiply(t, _add(_multiply(_k88, omega_2, _r5), _multiply(t, _s14, _r6), _r6), _r6), _r6), _r6), _r6)
     _s16 = _multiply(t, _s15, _r6)
     _s17 = _multiply(_s16, _s16, _r4)
-    _s18 = _subtract(_multiply(_add(_k226, _multiply(_subtract(_multiply(_k227, _s17, _r5), _k228, _r5), _s17, _r5), _r5), _s17, _r5), _k229, _r5)
-    _s19 = _add(_k39, _multiply(_subtract(_multiply(_add(_k230, _multiply(_s18, _s17, _r5), _r5), _s17, _r5), _k71, _r5), _s17, _r5), _r5)
-    _s20 = _add(_k231, _multiply(_subtract(_multiply(_subtract(_k232, _multiply(_k233, _s17, _r7), _r7), _s17, _r7), _k234, _r7), _s17, _r7), _r7)
-    _s21 = _multiply(_s16, _add(_k39, _multiply(_subtract(_multiply(_s20, _s17, _r7), _k94, _r7), _s17, _r7), _r7), _r7)
+    _s18 = _subtract(_multiply(_add(_k227, _multiply(_subtract(_multiply(_k228, _s17, _r5), _k229, _r5), _s17, _r5), _r5), _s17, _r5), _k230, _r5)
+    _s19 = _add(_k39, _multiply(_subtract(_multiply(_add(_k231, _multiply(_s18, _s17, _r5), _r5), _s17, _r5), _k72, _r5), _s17, _r5), _r5)
+    _s20 = _add(_k232, _multiply(_subtract(_multiply(_subtract(_k233, _multiply(_k234, _s17, _r7), _r7), _s17, _r7), _k235, _r7), _s17, _r7), _r7)
+    _s21 = _multiply(_s16, _add(_k39, _multiply(_subtract(_multiply(_s20, _s17, _r7), _k95, _r7), _s17, _r7), _r7), _r7)
     _s22 = _subtract(_multiply(cos_0, _s19, _r6), _multiply(sin_0, _s21, _r4), _r4)
     _s23 = _add(_multiply(cos_0, _s21, _r7), _multiply(sin_0, _s19, _r5), _r5)
     _s24 = _multiply(_s7, _s8, _r3)
@@ -4602,32 +4603,32 @@ def ring_round_step(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_r
     _s6 = _absolute(along_11, _r5)
     _s7 = _absolute(climb_12, _r6)
     _s8 = _absolute(along_12, _r7)
-    _s9 = _add(_multiply(_multiply(_k52, _add(_multiply(per_reach, _s3, _r3), _sqrt(_multiply(p_gravity, per_reach, _r8), _r8), _r8), _r8), _add(_multiply(_s5, _s1, _r3), _add(_absolute(turn_rate_11, _r9), _s6, _r9), _r9), _r8), _add(_multiply(_s7, _s1, _r9), _add(_absolute(turn_rate_12, _r3), _s8, _r3), _r3), _r3)
+    _s9 = _add(_multiply(_multiply(_k53, _add(_multiply(per_reach, _s3, _r3), _sqrt(_multiply(p_gravity, per_reach, _r8), _r8), _r8), _r8), _add(_multiply(_s5, _s1, _r3), _add(_absolute(turn_rate_11, _r9), _s6, _r9), _r9), _r8), _add(_multiply(_s7, _s1, _r9), _add(_absolute(turn_rate_12, _r3), _s8, _r3), _r3), _r3)
     _s10 = _absolute(omega_0, _r8)
     _s11 = _multiply(omega_0, omega_0, _r9)
-    _s12 = _multiply(_multiply(_k90, _s10, _r10), _multiply(_k63, _s11, _r11), _r10)
+    _s12 = _multiply(_multiply(_k91, _s10, _r10), _multiply(_k64, _s11, _r11), _r10)
     _s13 = _multiply(_s12, _s12, _r10)
-    _s14 = _multiply(_s4, _add(_add(_absolute(cosine_12, _r11), _absolute(sine_12, _r12), _r12), _multiply(_k247, _multiply(_s13, _s13, _r10), _r10), _r10), _r10)
-    _s15 = _sqrt(_sqrt(_divide(_multiply(_k247, _s4, _r12), _select(_s9 < _s14, _s14, _s9, _r11), _r12), _r12), _r12)
+    _s14 = _multiply(_s4, _add(_add(_absolute(cosine_12, _r11), _absolute(sine_12, _r12), _r12), _multiply(_k248, _multiply(_s13, _s13, _r10), _r10), _r10), _r10)
+    _s15 = _sqrt(_sqrt(_divide(_multiply(_k248, _s4, _r12), _select(_s9 < _s14, _s14, _s9, _r11), _r12), _r12), _r12)
     _s16 = _sqrt(_sqrt(_s15, _r11), _r11)
-    _s17 = _multiply(_multiply(_k248, _s16, _r10), _sqrt(_sqrt(_s16, _r11), _r11), _r10)
+    _s17 = _multiply(_multiply(_k249, _s16, _r10), _sqrt(_sqrt(_s16, _r11), _r11), _r10)
     _s18 = _multiply(_s17, _multiply(_s17, _s17, _r11), _r11)
-    _s19 = _multiply(_divide(_add(_s18, _multiply(_k48, _s15, _r3), _r3), _add(_multiply(_k48, _s18, _r11), _s15, _r11), _r11), _s17, _r11)
-    _s20 = _result(_s19 < _k53, _s19, _k53, _r0)
+    _s19 = _multiply(_divide(_add(_s18, _multiply(_k49, _s15, _r3), _r3), _add(_multiply(_k49, _s18, _r11), _s15, _r11), _r11), _s17, _r11)
+    _s20 = _result(_s19 < _k54, _s19, _k54, _r0)
     _s21 = _absolute(climb_10, _r10)
-    _s22 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k104, _s7, _r3), _s20, _r3), _multiply(_k249, _s5, _r12), _r12), _s20, _r12), _multiply(_k250, _s21, _r3), _r3), _s20, _r3)
+    _s22 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k105, _s7, _r3), _s20, _r3), _multiply(_k250, _s5, _r12), _r12), _s20, _r12), _multiply(_k251, _s21, _r3), _r3), _s20, _r3)
     _s23 = _absolute(climb_9, _r12)
     _s24 = _absolute(climb_8, _r13)
     _s25 = _absolute(climb_7, _r14)
-    _s26 = _add(_multiply(_add(_multiply(_add(_s22, _multiply(_k251, _s23, _r15), _r15), _s20, _r15), _multiply(_k51, _s24, _r3), _r3), _s20, _r3), _multiply(_k99, _s25, _r15), _r15)
+    _s26 = _add(_multiply(_add(_multiply(_add(_s22, _multiply(_k252, _s23, _r15), _r15), _s20, _r15), _multiply(_k52, _s24, _r3), _r3), _s20, _r3), _multiply(_k100, _s25, _r15), _r15)
     _s27 = _absolute(climb_6, _r3)
     _s28 = _absolute(climb_5, _r16)
     _s29 = _absolute(climb_4, _r17)
-    _s30 = _add(_multiply(_add(_multiply(_add(_multiply(_s26, _s20, _r15), _multiply(_k3, _s27, _r18), _r18), _s20, _r18), _multiply(_k93, _s28, _r15), _r15), _s20, _r15), _multiply(_k90, _s29, _r18), _r18)
+    _s30 = _add(_multiply(_add(_multiply(_add(_multiply(_s26, _s20, _r15), _multiply(_k3, _s27, _r18), _r18), _s20, _r18), _multiply(_k94, _s28, _r15), _r15), _s20, _r15), _multiply(_k91, _s29, _r18), _r18)
     _s31 = _absolute(climb_3, _r15)
     _s32 = _absolute(climb_2, _r19)
     _s33 = _absolute(climb_1, _r20)
-    _s34 = _add(_multiply(_add(_multiply(_add(_multiply(_s30, _s20, _r18), _multiply(_k89, _s31, _r21), _r21), _s20, _r21), _multiply(_k48, _s32, _r18), _r18), _s20, _r18), _s33, _r18)
+    _s34 = _add(_multiply(_add(_multiply(_add(_multiply(_s30, _s20, _r18), _multiply(_k90, _s31, _r21), _r21), _s20, _r21), _multiply(_k49, _s32, _r18), _r18), _s20, _r18), _s33, _r18)
     _s35 = _add(_multiply(_add(_multiply(_add(_multiply(_s7, _s20, _r6), _s5, _r6), _s20, _r6), _s21, _r6), _s20, _r6), _s23, _r6)
     _s36 = _add(_multiply(_add(_multiply(_add(_multiply(_s35, _s20, _r6), _s24, _r6), _s20, _r6), _s25, _r6), _s20, _r6), _s27, _r6)
     _s37 = _add(_multiply(_add(_multiply(_add(_multiply(_s36, _s20, _r6), _s28, _r6), _s20, _r6), _s29, _r6), _s20, _r6), _s31, _r6)
@@ -4663,27 +4664,27 @@ def ring_round_step(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_r
     _s67 = _absolute(along_1, _r30)
     _s68 = _add(_multiply(_add(_multiply(_add(_multiply(_s65, _s20, _r22), _s66, _r22), _s20, _r22), _s67, _r22), _s20, _r22), _s2, _r22)
     _s69 = _multiply(_s1, _s38, _r1) + _s68
-    _s70 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k104, _s8, _r7), _s20, _r7), _multiply(_k249, _s6, _r5), _r5), _s20, _r5), _multiply(_k250, _s55, _r8), _r8), _s20, _r8)
-    _s71 = _add(_multiply(_add(_multiply(_add(_s70, _multiply(_k251, _s56, _r21), _r21), _s20, _r21), _multiply(_k51, _s58, _r23), _r23), _s20, _r23), _multiply(_k99, _s59, _r24), _r24)
-    _s72 = _add(_multiply(_add(_multiply(_add(_multiply(_s71, _s20, _r24), _multiply(_k3, _s60, _r25), _r25), _s20, _r25), _multiply(_k93, _s62, _r26), _r26), _s20, _r26), _multiply(_k90, _s63, _r27), _r27)
-    _s73 = _add(_multiply(_add(_multiply(_add(_multiply(_s72, _s20, _r27), _multiply(_k89, _s64, _r28), _r28), _s20, _r28), _multiply(_k48, _s66, _r29), _r29), _s20, _r29), _s67, _r29)
+    _s70 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k105, _s8, _r7), _s20, _r7), _multiply(_k250, _s6, _r5), _r5), _s20, _r5), _multiply(_k251, _s55, _r8), _r8), _s20, _r8)
+    _s71 = _add(_multiply(_add(_multiply(_add(_s70, _multiply(_k252, _s56, _r21), _r21), _s20, _r21), _multiply(_k52, _s58, _r23), _r23), _s20, _r23), _multiply(_k100, _s59, _r24), _r24)
+    _s72 = _add(_multiply(_add(_multiply(_add(_multiply(_s71, _s20, _r24), _multiply(_k3, _s60, _r25), _r25), _s20, _r25), _multiply(_k94, _s62, _r26), _r26), _s20, _r26), _multiply(_k91, _s63, _r27), _r27)
+    _s73 = _add(_multiply(_add(_multiply(_add(_multiply(_s72, _s20, _r27), _multiply(_k90, _s64, _r28), _r28), _s20, _r28), _multiply(_k49, _s66, _r29), _r29), _s20, _r29), _s67, _r29)
     _s74 = _multiply(_multiply(climb_0, climb_0, _r30), _s1, _r30)
     _s75 = _multiply(along_0, omega_0, _r28)
     _s76 = p_inertia * (1.0 / (1.0 + p_inertia))
     _s77 = p_gravity * (3.0 - (2.0 * _s76))
     _s78 = 3.0 * p_ring_radius
-    _s79 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k249, _s40, _r0), _s20, _r0), _multiply(_k250, _s41, _r20), _r20), _s20, _r20), _multiply(_k251, _s42, _r19), _r19), _s20, _r19)
-    _s80 = _add(_multiply(_add(_multiply(_add(_s79, _multiply(_k51, _s43, _r15), _r15), _s20, _r15), _multiply(_k99, _s45, _r16), _r16), _s20, _r16), _multiply(_k3, _s46, _r3), _r3)
-    _s81 = _add(_multiply(_add(_multiply(_add(_multiply(_s80, _s20, _r3), _multiply(_k93, _s47, _r14), _r14), _s20, _r14), _multiply(_k90, _s49, _r13), _r13), _s20, _r13), _multiply(_k89, _s50, _r12), _r12)
+    _s79 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k250, _s40, _r0), _s20, _r0), _multiply(_k251, _s41, _r20), _r20), _s20, _r20), _multiply(_k252, _s42, _r19), _r19), _s20, _r19)
+    _s80 = _add(_multiply(_add(_multiply(_add(_s79, _multiply(_k52, _s43, _r15), _r15), _s20, _r15), _multiply(_k100, _s45, _r16), _r16), _s20, _r16), _multiply(_k3, _s46, _r3), _r3)
+    _s81 = _add(_multiply(_add(_multiply(_add(_multiply(_s80, _s20, _r3), _multiply(_k94, _s47, _r14), _r14), _s20, _r14), _multiply(_k91, _s49, _r13), _r13), _s20, _r13), _multiply(_k90, _s50, _r12), _r12)
     _s82 = _multiply(_s38, _s20, _r13)
     _s83 = _add(_absolute(sine_0, _r14), _s82, _r14)
-    _s84 = _multiply(_multiply(_s54, _add(_multiply(_add(_multiply(_s81, _s20, _r12), _multiply(_k48, _s51, _r10), _r10), _s20, _r10), _s53, _r10), _r10), _s83, _r10)
+    _s84 = _multiply(_multiply(_s54, _add(_multiply(_add(_multiply(_s81, _s20, _r12), _multiply(_k49, _s51, _r10), _r10), _s20, _r10), _s53, _r10), _r10), _s83, _r10)
     _s85 = _multiply(_s78, _multiply(_s54, _s54, _r4), _r4)
     _s86 = _add(_absolute(cosine_0, _r11), _s82, _r11)
     _s87 = _multiply(_add(_multiply(6.0 * p_ring_radius, _s84, _r10), _multiply(_s38, _add(_multiply(_s85, _s86, _r13), _multiply(_s77, _s83, _r12), _r12), _r12), _r12), _s38, _r12) + _multiply(_s34, _add(_multiply(_s85, _s83, _r4), _multiply(_s77, _s86, _r11), _r11), _r11)
     _s88 = _negative(_add(_add(_multiply(cosine_0, _s74, _r11), _s75, _r11), _multiply(_multiply(climb_1, sine_0, _r12), _s1, _r12), _r12), _r12)
     _s89 = _subtract(along_1, _multiply(omega_0, _multiply(_multiply(climb_0, sine_0, _r11), _s1, _r11), _r11), _r11)
-    return _s20, _k121 * _s4, _s39 + _add(_multiply(_s54, _s69, _r17), _s73, _r29), _s69, _s39, _subtract(_multiply(p_gravity, sine_0, _r29), _s74, _r29) - _multiply(cosine_0, _s75, _r28), climb_0 * _add(_multiply(cosine_0, _s77, _r28), _multiply(sine_0, _multiply(_s78, _s11, _r9), _r9), _r9), _s87, ((2.0 * p_gravity) * _s76) * _multiply(climb_0, cosine_0, _r9), _multiply(cos_0, _s88, _r9) - _multiply(sin_0, _s89, _r28), _multiply(cos_0, _s89, _r11) + _multiply(sin_0, _s88, _r12), _multiply(_multiply(climb_1, cosine_0, _r12), _s1, _r12) - _multiply(sine_0, _s74, _r30)
+    return _s20, _k122 * _s4, _s39 + _add(_multiply(_s54, _s69, _r17), _s73, _r29), _s69, _s39, _subtract(_multiply(p_gravity, sine_0, _r29), _s74, _r29) - _multiply(cosine_0, _s75, _r28), climb_0 * _add(_multiply(cosine_0, _s77, _r28), _multiply(sine_0, _multiply(_s78, _s11, _r9), _r9), _r9), _s87, ((2.0 * p_gravity) * _s76) * _multiply(climb_0, cosine_0, _r9), _multiply(cos_0, _s88, _r9) - _multiply(sin_0, _s89, _r28), _multiply(cos_0, _s89, _r11) + _multiply(sin_0, _s88, _r12), _multiply(_multiply(climb_1, cosine_0, _r12), _s1, _r12) - _multiply(sine_0, _s74, _r30)
 
 
 def ring_round_pulled(p_gravity: Any, p_inertia: Any, turn_rate_0: Any, turn_rate_1: Any, climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, omega_0: Any, omega_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4697,7 +4698,7 @@ def ring_round_pulled(p_gravity: Any, p_inertia: Any, turn_rate_0: Any, turn_rat
     _s2 = _add(p_gravity, _multiply(turn_rate_0, omega_0, _r1), _r1)
     _s3 = _multiply(_s0, _multiply(cosine_0, _s2, _r2), _r2)
     _s4 = _multiply(_s3, _multiply(_s0, _add(_multiply(cosine_0, _add(_multiply(turn_rate_0, omega_1, _r3), _multiply(turn_rate_1, omega_0, _r4), _r4), _r4), _multiply(cosine_1, _s2, _r1), _r1), _r1), _r1)
-    _s5 = _k48 * _add(_multiply(_s1, _multiply(_s0, _add(_multiply(turn_rate_0, climb_1, _r4), _multiply(turn_rate_1, climb_0, _r3), _r3), _r3), _r3), _s4, _r1)
+    _s5 = _k49 * _add(_multiply(_s1, _multiply(_s0, _add(_multiply(turn_rate_0, climb_1, _r4), _multiply(turn_rate_1, climb_0, _r3), _r3), _r3), _r3), _s4, _r1)
     return _multiply(_s1, _s1, _r0) + _multiply(_s3, _s3, _r2), _s5, -_inf, 0.0
 
 
@@ -4709,12 +4710,12 @@ def ring_swung(p_ball_radius: Any, p_gravity: Any, p_wire_radius: Any, which: An
     _r0, _r1, _r2 = _room[:3]
     _s0 = p_ball_radius + p_wire_radius
     _s1 = _multiply(stride, stride, _r0)
-    _s2 = _logical_and(((0.000244140625 * _s0) < _subtract(azimuth_clearance, _multiply(_multiply(_k54, section_acceleration, _r1), _s1, _r1), _r1)), ((0.00390625 * p_gravity) < _subtract(_add(force, _multiply(stride, _select(force_rate < _k4, force_rate, _k4, _r1), _r1), _r1), _multiply(_multiply(_k71, force_bend, _r2), _s1, _r2), _r2)))
-    _s3 = _logical_and(_s2, (which == _k77))
+    _s2 = _logical_and(((0.000244140625 * _s0) < _subtract(azimuth_clearance, _multiply(_multiply(_k55, section_acceleration, _r1), _s1, _r1), _r1)), ((0.00390625 * p_gravity) < _subtract(_add(force, _multiply(stride, _select(force_rate < _k4, force_rate, _k4, _r1), _r1), _r1), _multiply(_multiply(_k72, force_bend, _r2), _s1, _r2), _r2)))
+    _s3 = _logical_and(_s2, (which == _k78))
     _s4 = _logical_and((_multiply(climb, climb_0, _r2) < _k4), (_multiply(0.015625 * p_gravity, stride, _r2) < _multiply(_absolute(_subtract(climb, climb_0, _r1), _r1), _s0, _r1)))
     _s5 = _logical_and(_logical_and(_s3, _s4), (_k4 < circled))
     _s6 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), 1.0 / _s0, _r1), _r1)
-    _s7 = _logical_not((_multiply(_s6, _multiply(_k257, _add(_multiply(position_error, _s6, _r2), _multiply(velocity_error, fastest, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
+    _s7 = _logical_not((_multiply(_s6, _multiply(_k258, _add(_multiply(position_error, _s6, _r2), _multiply(velocity_error, fastest, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
     return _result(_s3, _select(_s4, _k39, circled, _r0), _k4, _r0), _s5, _result(_logical_and(_s5, _s7), _k4, undecided_time, _r0)
 
 
@@ -4741,7 +4742,7 @@ def ring_round_1(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s1 = near_0 * _subtract(along_1, _multiply(_multiply(cosine_1, omega_0, _r0), _s0, _r0), _r0)
     _s2 = _multiply(climb_0, _s1, _r0) + _multiply(climb_1, omega_0, _r1)
     _s3 = 1.0 / (1.0 + p_inertia)
-    return _s1, _s2, -_multiply(_k71, _add(_multiply(climb_0, sine_1, _r1), _multiply(climb_1, sine_0, _r0), _r0), _r0), _k71 * _add(_multiply(climb_0, cosine_1, _r0), _multiply(climb_1, cosine_0, _r1), _r1), -_multiply(_multiply(_k71, per_reach, _r1), _add(_multiply(_multiply(p_gravity, cosine_1, _r0), _s3, _r0), _add(_multiply(omega_0, tilted_1, _r2), _multiply(tilted_0, _s1, _r3), _r3), _r3), _r1), _k71 * _subtract(_multiply(_s0, _add(_multiply(sine_0, _s2, _r1), _multiply(sine_1, around_0, _r3), _r3), _r3), _multiply(p_inertia * _s3, _add(_multiply(turn_rate_0, climb_1, _r1), _multiply(turn_rate_1, climb_0, _r0), _r0), _r0), _r0), (0.5 * p_ring_radius) * _s2, _k71 * _add(_multiply(p_ring_radius * _s3, _add(_multiply(cosine_0, _s2, _r0), _multiply(cosine_1, around_0, _r3), _r3), _r3), _multiply(_s0, _s2, _r0), _r0)
+    return _s1, _s2, -_multiply(_k72, _add(_multiply(climb_0, sine_1, _r1), _multiply(climb_1, sine_0, _r0), _r0), _r0), _k72 * _add(_multiply(climb_0, cosine_1, _r0), _multiply(climb_1, cosine_0, _r1), _r1), -_multiply(_multiply(_k72, per_reach, _r1), _add(_multiply(_multiply(p_gravity, cosine_1, _r0), _s3, _r0), _add(_multiply(omega_0, tilted_1, _r2), _multiply(tilted_0, _s1, _r3), _r3), _r3), _r1), _k72 * _subtract(_multiply(_s0, _add(_multiply(sine_0, _s2, _r1), _multiply(sine_1, around_0, _r3), _r3), _r3), _multiply(p_inertia * _s3, _add(_multiply(turn_rate_0, climb_1, _r1), _multiply(turn_rate_1, climb_0, _r0), _r0), _r0), _r0), (0.5 * p_ring_radius) * _s2, _k72 * _add(_multiply(p_ring_radius * _s3, _add(_multiply(cosine_0, _s2, _r0), _multiply(cosine_1, around_0, _r3), _r3), _r3), _multiply(_s0, _s2, _r0), _r0)
 
 
 def ring_round_2(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, sine_0: Any, sine_1: Any, sine_2: Any, along_2: Any, omega_0: Any, omega_1: Any, around_0: Any, around_1: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4754,10 +4755,10 @@ def ring_round_2(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s1 = near_0 * _subtract(along_2, _multiply(_s0, _add(_multiply(cosine_1, omega_1, _r0), _multiply(cosine_2, omega_0, _r1), _r1), _r1), _r1)
     _s2 = _add(_multiply(climb_0, _s1, _r1), _multiply(climb_1, omega_1, _r0), _r0) + _multiply(climb_2, omega_0, _r1)
     _s3 = 1.0 / (1.0 + p_inertia)
-    _s4 = -_multiply(_multiply(_k87, per_reach, _r1), _add(_multiply(_multiply(p_gravity, cosine_2, _r0), _s3, _r0), _add(_add(_multiply(omega_0, tilted_2, _r2), _multiply(omega_1, tilted_1, _r3), _r3), _multiply(tilted_0, _s1, _r2), _r2), _r2), _r1)
-    _s5 = _k87 * _subtract(_multiply(_s0, _add(_add(_multiply(sine_0, _s2, _r1), _multiply(sine_1, around_1, _r2), _r2), _multiply(sine_2, around_0, _r1), _r1), _r1), _multiply(p_inertia * _s3, _add(_add(_multiply(turn_rate_0, climb_2, _r2), _multiply(turn_rate_1, climb_1, _r0), _r0), _multiply(turn_rate_2, climb_0, _r2), _r2), _r2), _r2)
-    _s6 = _k87 * _add(_multiply(p_ring_radius * _s3, _add(_add(_multiply(cosine_0, _s2, _r2), _multiply(cosine_1, around_1, _r1), _r1), _multiply(cosine_2, around_0, _r2), _r2), _r2), _multiply(_s0, _s2, _r1), _r1)
-    return _s1, _s2, -_multiply(_k87, _add(_add(_multiply(climb_0, sine_2, _r1), _multiply(climb_1, sine_1, _r2), _r2), _multiply(climb_2, sine_0, _r1), _r1), _r1), _k87 * _add(_add(_multiply(climb_0, cosine_2, _r1), _multiply(climb_1, cosine_1, _r2), _r2), _multiply(climb_2, cosine_0, _r1), _r1), _s4, _s5, (0.3333333333333333 * p_ring_radius) * _s2, _s6
+    _s4 = -_multiply(_multiply(_k88, per_reach, _r1), _add(_multiply(_multiply(p_gravity, cosine_2, _r0), _s3, _r0), _add(_add(_multiply(omega_0, tilted_2, _r2), _multiply(omega_1, tilted_1, _r3), _r3), _multiply(tilted_0, _s1, _r2), _r2), _r2), _r1)
+    _s5 = _k88 * _subtract(_multiply(_s0, _add(_add(_multiply(sine_0, _s2, _r1), _multiply(sine_1, around_1, _r2), _r2), _multiply(sine_2, around_0, _r1), _r1), _r1), _multiply(p_inertia * _s3, _add(_add(_multiply(turn_rate_0, climb_2, _r2), _multiply(turn_rate_1, climb_1, _r0), _r0), _multiply(turn_rate_2, climb_0, _r2), _r2), _r2), _r2)
+    _s6 = _k88 * _add(_multiply(p_ring_radius * _s3, _add(_add(_multiply(cosine_0, _s2, _r2), _multiply(cosine_1, around_1, _r1), _r1), _multiply(cosine_2, around_0, _r2), _r2), _r2), _multiply(_s0, _s2, _r1), _r1)
+    return _s1, _s2, -_multiply(_k88, _add(_add(_multiply(climb_0, sine_2, _r1), _multiply(climb_1, sine_1, _r2), _r2), _multiply(climb_2, sine_0, _r1), _r1), _r1), _k88 * _add(_add(_multiply(climb_0, cosine_2, _r1), _multiply(climb_1, cosine_1, _r2), _r2), _multiply(climb_2, cosine_0, _r1), _r1), _s4, _s5, (0.3333333333333333 * p_ring_radius) * _s2, _s6
 
 
 def ring_round_3(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, along_3: Any, omega_0: Any, omega_1: Any, omega_2: Any, around_0: Any, around_1: Any, around_2: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4769,12 +4770,12 @@ def ring_round_3(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s0 = p_ball_radius + p_wire_radius
     _s1 = near_0 * _subtract(along_3, _multiply(_s0, _add(_add(_multiply(cosine_1, omega_2, _r0), _multiply(cosine_2, omega_1, _r1), _r1), _multiply(cosine_3, omega_0, _r0), _r0), _r0), _r0)
     _s2 = _add(_add(_multiply(climb_0, _s1, _r0), _multiply(climb_1, omega_2, _r1), _r1), _multiply(climb_2, omega_1, _r0), _r0) + _multiply(climb_3, omega_0, _r1)
-    _s3 = -_multiply(_k52, _add(_add(_add(_multiply(climb_0, sine_3, _r1), _multiply(climb_1, sine_2, _r0), _r0), _multiply(climb_2, sine_1, _r1), _r1), _multiply(climb_3, sine_0, _r0), _r0), _r0)
+    _s3 = -_multiply(_k53, _add(_add(_add(_multiply(climb_0, sine_3, _r1), _multiply(climb_1, sine_2, _r0), _r0), _multiply(climb_2, sine_1, _r1), _r1), _multiply(climb_3, sine_0, _r0), _r0), _r0)
     _s4 = 1.0 / (1.0 + p_inertia)
-    _s5 = _multiply(_multiply(_k52, per_reach, _r0), _add(_multiply(_multiply(p_gravity, cosine_3, _r1), _s4, _r1), _add(_add(_add(_multiply(omega_0, tilted_3, _r2), _multiply(omega_1, tilted_2, _r3), _r3), _multiply(omega_2, tilted_1, _r2), _r2), _multiply(tilted_0, _s1, _r3), _r3), _r3), _r0)
+    _s5 = _multiply(_multiply(_k53, per_reach, _r0), _add(_multiply(_multiply(p_gravity, cosine_3, _r1), _s4, _r1), _add(_add(_add(_multiply(omega_0, tilted_3, _r2), _multiply(omega_1, tilted_2, _r3), _r3), _multiply(omega_2, tilted_1, _r2), _r2), _multiply(tilted_0, _s1, _r3), _r3), _r3), _r0)
     _s6 = _subtract(_multiply(_s0, _add(_add(_add(_multiply(sine_0, _s2, _r3), _multiply(sine_1, around_2, _r1), _r1), _multiply(sine_2, around_1, _r3), _r3), _multiply(sine_3, around_0, _r1), _r1), _r1), _multiply(p_inertia * _s4, _add(_add(_add(_multiply(turn_rate_0, climb_3, _r3), _multiply(turn_rate_1, climb_2, _r2), _r2), _multiply(turn_rate_2, climb_1, _r3), _r3), _multiply(turn_rate_3, climb_0, _r2), _r2), _r2), _r2)
     _s7 = _add(_multiply(p_ring_radius * _s4, _add(_add(_add(_multiply(cosine_0, _s2, _r1), _multiply(cosine_1, around_2, _r3), _r3), _multiply(cosine_2, around_1, _r1), _r1), _multiply(cosine_3, around_0, _r3), _r3), _r3), _multiply(_s0, _s2, _r1), _r1)
-    return _s1, _s2, _s3, _k52 * _add(_add(_add(_multiply(climb_0, cosine_3, _r3), _multiply(climb_1, cosine_2, _r4), _r4), _multiply(climb_2, cosine_1, _r3), _r3), _multiply(climb_3, cosine_0, _r4), _r4), -_s5, _k52 * _s6, (0.25 * p_ring_radius) * _s2, _k52 * _s7
+    return _s1, _s2, _s3, _k53 * _add(_add(_add(_multiply(climb_0, cosine_3, _r3), _multiply(climb_1, cosine_2, _r4), _r4), _multiply(climb_2, cosine_1, _r3), _r3), _multiply(climb_3, cosine_0, _r4), _r4), -_s5, _k53 * _s6, (0.25 * p_ring_radius) * _s2, _k53 * _s7
 
 
 def ring_round_4(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, along_4: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4787,14 +4788,14 @@ def ring_round_4(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s1 = _subtract(along_4, _multiply(_s0, _add(_add(_add(_multiply(cosine_1, omega_3, _r0), _multiply(cosine_2, omega_2, _r1), _r1), _multiply(cosine_3, omega_1, _r0), _r0), _multiply(cosine_4, omega_0, _r1), _r1), _r1), _r1)
     _s2 = near_0 * _s1
     _s3 = _add(_add(_add(_multiply(climb_0, _s2, _r1), _multiply(climb_1, omega_3, _r0), _r0), _multiply(climb_2, omega_2, _r1), _r1), _multiply(climb_3, omega_1, _r0), _r0) + _multiply(climb_4, omega_0, _r1)
-    _s4 = _multiply(_k91, _add(_add(_add(_add(_multiply(climb_0, sine_4, _r1), _multiply(climb_1, sine_3, _r0), _r0), _multiply(climb_2, sine_2, _r1), _r1), _multiply(climb_3, sine_1, _r0), _r0), _multiply(climb_4, sine_0, _r1), _r1), _r1)
-    _s5 = _k91 * _add(_add(_add(_add(_multiply(climb_0, cosine_4, _r0), _multiply(climb_1, cosine_3, _r2), _r2), _multiply(climb_2, cosine_2, _r0), _r0), _multiply(climb_3, cosine_1, _r2), _r2), _multiply(climb_4, cosine_0, _r0), _r0)
+    _s4 = _multiply(_k92, _add(_add(_add(_add(_multiply(climb_0, sine_4, _r1), _multiply(climb_1, sine_3, _r0), _r0), _multiply(climb_2, sine_2, _r1), _r1), _multiply(climb_3, sine_1, _r0), _r0), _multiply(climb_4, sine_0, _r1), _r1), _r1)
+    _s5 = _k92 * _add(_add(_add(_add(_multiply(climb_0, cosine_4, _r0), _multiply(climb_1, cosine_3, _r2), _r2), _multiply(climb_2, cosine_2, _r0), _r0), _multiply(climb_3, cosine_1, _r2), _r2), _multiply(climb_4, cosine_0, _r0), _r0)
     _s6 = 1.0 / (1.0 + p_inertia)
     _s7 = _add(_multiply(_multiply(p_gravity, cosine_4, _r0), _s6, _r0), _add(_add(_add(_add(_multiply(omega_0, tilted_4, _r2), _multiply(omega_1, tilted_3, _r3), _r3), _multiply(omega_2, tilted_2, _r2), _r2), _multiply(omega_3, tilted_1, _r3), _r3), _multiply(tilted_0, _s2, _r2), _r2), _r2)
     _s8 = _multiply(_s0, _add(_add(_add(_add(_multiply(sine_0, _s3, _r0), _multiply(sine_1, around_3, _r3), _r3), _multiply(sine_2, around_2, _r0), _r0), _multiply(sine_3, around_1, _r3), _r3), _multiply(sine_4, around_0, _r0), _r0), _r0)
     _s9 = _multiply(p_inertia * _s6, _add(_add(_add(_add(_multiply(turn_rate_0, climb_4, _r3), _multiply(turn_rate_1, climb_3, _r4), _r4), _multiply(turn_rate_2, climb_2, _r3), _r3), _multiply(turn_rate_3, climb_1, _r4), _r4), _multiply(turn_rate_4, climb_0, _r3), _r3), _r3)
     _s10 = _multiply(p_ring_radius * _s6, _add(_add(_add(_add(_multiply(cosine_0, _s3, _r4), _multiply(cosine_1, around_3, _r5), _r5), _multiply(cosine_2, around_2, _r4), _r4), _multiply(cosine_3, around_1, _r5), _r5), _multiply(cosine_4, around_0, _r4), _r4), _r4)
-    return _s2, _s3, -_s4, _s5, -_multiply(_multiply(_k91, per_reach, _r1), _s7, _r1), _k91 * _subtract(_s8, _s9, _r3), (0.2 * p_ring_radius) * _s3, _k91 * _add(_s10, _multiply(_s0, _s3, _r3), _r3)
+    return _s2, _s3, -_s4, _s5, -_multiply(_multiply(_k92, per_reach, _r1), _s7, _r1), _k92 * _subtract(_s8, _s9, _r3), (0.2 * p_ring_radius) * _s3, _k92 * _add(_s10, _multiply(_s0, _s3, _r3), _r3)
 
 
 def ring_round_5(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, along_5: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4814,7 +4815,7 @@ def ring_round_5(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s8 = _add(_add(_add(_add(_add(_multiply(sine_0, _s3, _r1), _multiply(sine_1, around_4, _r4), _r4), _multiply(sine_2, around_3, _r1), _r1), _multiply(sine_3, around_2, _r4), _r4), _multiply(sine_4, around_1, _r1), _r1), _multiply(sine_5, around_0, _r4), _r4)
     _s9 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, climb_5, _r1), _multiply(turn_rate_1, climb_4, _r5), _r5), _multiply(turn_rate_2, climb_3, _r1), _r1), _multiply(turn_rate_3, climb_2, _r5), _r5), _multiply(turn_rate_4, climb_1, _r1), _r1), _multiply(turn_rate_5, climb_0, _r5), _r5)
     _s10 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s3, _r1), _multiply(cosine_1, around_4, _r6), _r6), _multiply(cosine_2, around_3, _r1), _r1), _multiply(cosine_3, around_2, _r6), _r6), _multiply(cosine_4, around_1, _r1), _r1), _multiply(cosine_5, around_0, _r6), _r6)
-    return _s2, _s3, -_multiply(_k94, _s4, _r0), _k94 * _s5, -_multiply(_multiply(_k94, per_reach, _r2), _add(_multiply(_multiply(p_gravity, cosine_5, _r0), _s6, _r0), _s7, _r3), _r2), _k94 * _subtract(_multiply(_s0, _s8, _r4), _multiply(p_inertia * _s6, _s9, _r5), _r5), (0.16666666666666666 * p_ring_radius) * _s3, _k94 * _add(_multiply(p_ring_radius * _s6, _s10, _r6), _multiply(_s0, _s3, _r5), _r5)
+    return _s2, _s3, -_multiply(_k95, _s4, _r0), _k95 * _s5, -_multiply(_multiply(_k95, per_reach, _r2), _add(_multiply(_multiply(p_gravity, cosine_5, _r0), _s6, _r0), _s7, _r3), _r2), _k95 * _subtract(_multiply(_s0, _s8, _r4), _multiply(p_inertia * _s6, _s9, _r5), _r5), (0.16666666666666666 * p_ring_radius) * _s3, _k95 * _add(_multiply(p_ring_radius * _s6, _s10, _r6), _multiply(_s0, _s3, _r5), _r5)
 
 
 def ring_round_6(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, along_6: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4835,7 +4836,7 @@ def ring_round_6(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s9 = _add(_add(_add(_add(_add(_multiply(sine_0, _s4, _r1), _multiply(sine_1, around_5, _r4), _r4), _multiply(sine_2, around_4, _r1), _r1), _multiply(sine_3, around_3, _r4), _r4), _multiply(sine_4, around_2, _r1), _r1), _multiply(sine_5, around_1, _r4), _r4)
     _s10 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, climb_6, _r1), _multiply(turn_rate_1, climb_5, _r5), _r5), _multiply(turn_rate_2, climb_4, _r1), _r1), _multiply(turn_rate_3, climb_3, _r5), _r5), _multiply(turn_rate_4, climb_2, _r1), _r1), _multiply(turn_rate_5, climb_1, _r5), _r5)
     _s11 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s4, _r1), _multiply(cosine_1, around_5, _r6), _r6), _multiply(cosine_2, around_4, _r1), _r1), _multiply(cosine_3, around_3, _r6), _r6), _multiply(cosine_4, around_2, _r1), _r1), _multiply(cosine_5, around_1, _r6), _r6)
-    return _s2, _s4, -_multiply(_k97, _add(_s5, _multiply(climb_6, sine_0, _r1), _r1), _r1), _k97 * _add(_s6, _multiply(climb_6, cosine_0, _r1), _r1), -_multiply(_multiply(_k97, per_reach, _r1), _add(_multiply(_multiply(p_gravity, cosine_6, _r2), _s7, _r2), _add(_s8, _multiply(tilted_0, _s2, _r0), _r0), _r0), _r1), _k97 * _subtract(_multiply(_s0, _add(_s9, _multiply(sine_6, around_0, _r1), _r1), _r1), _multiply(p_inertia * _s7, _add(_s10, _multiply(turn_rate_6, climb_0, _r4), _r4), _r4), _r4), (0.14285714285714285 * p_ring_radius) * _s4, _k97 * _add(_multiply(p_ring_radius * _s7, _add(_s11, _multiply(cosine_6, around_0, _r4), _r4), _r4), _multiply(_s0, _s4, _r6), _r6)
+    return _s2, _s4, -_multiply(_k98, _add(_s5, _multiply(climb_6, sine_0, _r1), _r1), _r1), _k98 * _add(_s6, _multiply(climb_6, cosine_0, _r1), _r1), -_multiply(_multiply(_k98, per_reach, _r1), _add(_multiply(_multiply(p_gravity, cosine_6, _r2), _s7, _r2), _add(_s8, _multiply(tilted_0, _s2, _r0), _r0), _r0), _r1), _k98 * _subtract(_multiply(_s0, _add(_s9, _multiply(sine_6, around_0, _r1), _r1), _r1), _multiply(p_inertia * _s7, _add(_s10, _multiply(turn_rate_6, climb_0, _r4), _r4), _r4), _r4), (0.14285714285714285 * p_ring_radius) * _s4, _k98 * _add(_multiply(p_ring_radius * _s7, _add(_s11, _multiply(cosine_6, around_0, _r4), _r4), _r4), _multiply(_s0, _s4, _r6), _r6)
 
 
 def ring_round_7(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, along_7: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4853,13 +4854,13 @@ def ring_round_7(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s6 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_7, _r1), _multiply(climb_1, cosine_6, _r2), _r2), _multiply(climb_2, cosine_5, _r1), _r1), _multiply(climb_3, cosine_4, _r2), _r2), _multiply(climb_4, cosine_3, _r1), _r1), _multiply(climb_5, cosine_2, _r2), _r2)
     _s7 = 1.0 / (1.0 + p_inertia)
     _s8 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_7, _r1), _multiply(omega_1, tilted_6, _r3), _r3), _multiply(omega_2, tilted_5, _r1), _r1), _multiply(omega_3, tilted_4, _r3), _r3), _multiply(omega_4, tilted_3, _r1), _r1), _multiply(omega_5, tilted_2, _r3), _r3)
-    _s9 = -_multiply(_multiply(_k54, per_reach, _r1), _add(_multiply(_multiply(p_gravity, cosine_7, _r4), _s7, _r4), _add(_add(_s8, _multiply(omega_6, tilted_1, _r5), _r5), _multiply(tilted_0, _s2, _r3), _r3), _r3), _r1)
+    _s9 = -_multiply(_multiply(_k55, per_reach, _r1), _add(_multiply(_multiply(p_gravity, cosine_7, _r4), _s7, _r4), _add(_add(_s8, _multiply(omega_6, tilted_1, _r5), _r5), _multiply(tilted_0, _s2, _r3), _r3), _r3), _r1)
     _s10 = _add(_add(_add(_add(_add(_multiply(sine_0, _s4, _r1), _multiply(sine_1, around_6, _r3), _r3), _multiply(sine_2, around_5, _r1), _r1), _multiply(sine_3, around_4, _r3), _r3), _multiply(sine_4, around_3, _r1), _r1), _multiply(sine_5, around_2, _r3), _r3)
     _s11 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, climb_7, _r1), _multiply(turn_rate_1, climb_6, _r4), _r4), _multiply(turn_rate_2, climb_5, _r1), _r1), _multiply(turn_rate_3, climb_4, _r4), _r4), _multiply(turn_rate_4, climb_3, _r1), _r1), _multiply(turn_rate_5, climb_2, _r4), _r4)
-    _s12 = _k54 * _subtract(_multiply(_s0, _add(_add(_s10, _multiply(sine_6, around_1, _r1), _r1), _multiply(sine_7, around_0, _r3), _r3), _r3), _multiply(p_inertia * _s7, _add(_add(_s11, _multiply(turn_rate_6, climb_1, _r1), _r1), _multiply(turn_rate_7, climb_0, _r4), _r4), _r4), _r4)
+    _s12 = _k55 * _subtract(_multiply(_s0, _add(_add(_s10, _multiply(sine_6, around_1, _r1), _r1), _multiply(sine_7, around_0, _r3), _r3), _r3), _multiply(p_inertia * _s7, _add(_add(_s11, _multiply(turn_rate_6, climb_1, _r1), _r1), _multiply(turn_rate_7, climb_0, _r4), _r4), _r4), _r4)
     _s13 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s4, _r4), _multiply(cosine_1, around_6, _r3), _r3), _multiply(cosine_2, around_5, _r4), _r4), _multiply(cosine_3, around_4, _r3), _r3), _multiply(cosine_4, around_3, _r4), _r4), _multiply(cosine_5, around_2, _r3), _r3)
-    _s14 = _k54 * _add(_multiply(p_ring_radius * _s7, _add(_add(_s13, _multiply(cosine_6, around_1, _r4), _r4), _multiply(cosine_7, around_0, _r3), _r3), _r3), _multiply(_s0, _s4, _r4), _r4)
-    return _s2, _s4, -_multiply(_k54, _add(_add(_s5, _multiply(climb_6, sine_1, _r4), _r4), _multiply(climb_7, sine_0, _r0), _r0), _r0), _k54 * _add(_add(_s6, _multiply(climb_6, cosine_1, _r0), _r0), _multiply(climb_7, cosine_0, _r2), _r2), _s9, _s12, (0.125 * p_ring_radius) * _s4, _s14
+    _s14 = _k55 * _add(_multiply(p_ring_radius * _s7, _add(_add(_s13, _multiply(cosine_6, around_1, _r4), _r4), _multiply(cosine_7, around_0, _r3), _r3), _r3), _multiply(_s0, _s4, _r4), _r4)
+    return _s2, _s4, -_multiply(_k55, _add(_add(_s5, _multiply(climb_6, sine_1, _r4), _r4), _multiply(climb_7, sine_0, _r0), _r0), _r0), _k55 * _add(_add(_s6, _multiply(climb_6, cosine_1, _r0), _r0), _multiply(climb_7, cosine_0, _r2), _r2), _s9, _s12, (0.125 * p_ring_radius) * _s4, _s14
 
 
 def ring_round_8(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, along_8: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4874,17 +4875,17 @@ def ring_round_8(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s3 = _add(_add(_add(_add(_add(_multiply(climb_0, _s2, _r1), _multiply(climb_1, omega_7, _r0), _r0), _multiply(climb_2, omega_6, _r1), _r1), _multiply(climb_3, omega_5, _r0), _r0), _multiply(climb_4, omega_4, _r1), _r1), _multiply(climb_5, omega_3, _r0), _r0)
     _s4 = _add(_add(_s3, _multiply(climb_6, omega_2, _r1), _r1), _multiply(climb_7, omega_1, _r0), _r0) + _multiply(climb_8, omega_0, _r1)
     _s5 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_8, _r1), _multiply(climb_1, sine_7, _r0), _r0), _multiply(climb_2, sine_6, _r1), _r1), _multiply(climb_3, sine_5, _r0), _r0), _multiply(climb_4, sine_4, _r1), _r1), _multiply(climb_5, sine_3, _r0), _r0)
-    _s6 = -_multiply(_k101, _add(_add(_add(_s5, _multiply(climb_6, sine_2, _r1), _r1), _multiply(climb_7, sine_1, _r0), _r0), _multiply(climb_8, sine_0, _r1), _r1), _r1)
+    _s6 = -_multiply(_k102, _add(_add(_add(_s5, _multiply(climb_6, sine_2, _r1), _r1), _multiply(climb_7, sine_1, _r0), _r0), _multiply(climb_8, sine_0, _r1), _r1), _r1)
     _s7 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_8, _r1), _multiply(climb_1, cosine_7, _r0), _r0), _multiply(climb_2, cosine_6, _r1), _r1), _multiply(climb_3, cosine_5, _r0), _r0), _multiply(climb_4, cosine_4, _r1), _r1), _multiply(climb_5, cosine_3, _r0), _r0)
     _s8 = 1.0 / (1.0 + p_inertia)
     _s9 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_8, _r1), _multiply(omega_1, tilted_7, _r2), _r2), _multiply(omega_2, tilted_6, _r1), _r1), _multiply(omega_3, tilted_5, _r2), _r2), _multiply(omega_4, tilted_4, _r1), _r1), _multiply(omega_5, tilted_3, _r2), _r2)
-    _s10 = _multiply(_multiply(_k101, per_reach, _r1), _add(_multiply(_multiply(p_gravity, cosine_8, _r3), _s8, _r3), _add(_add(_add(_s9, _multiply(omega_6, tilted_2, _r4), _r4), _multiply(omega_7, tilted_1, _r2), _r2), _multiply(tilted_0, _s2, _r4), _r4), _r4), _r1)
+    _s10 = _multiply(_multiply(_k102, per_reach, _r1), _add(_multiply(_multiply(p_gravity, cosine_8, _r3), _s8, _r3), _add(_add(_add(_s9, _multiply(omega_6, tilted_2, _r4), _r4), _multiply(omega_7, tilted_1, _r2), _r2), _multiply(tilted_0, _s2, _r4), _r4), _r4), _r1)
     _s11 = _add(_add(_add(_add(_add(_multiply(sine_0, _s4, _r4), _multiply(sine_1, around_7, _r3), _r3), _multiply(sine_2, around_6, _r4), _r4), _multiply(sine_3, around_5, _r3), _r3), _multiply(sine_4, around_4, _r4), _r4), _multiply(sine_5, around_3, _r3), _r3)
     _s12 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, climb_8, _r4), _multiply(turn_rate_1, climb_7, _r2), _r2), _multiply(turn_rate_2, climb_6, _r4), _r4), _multiply(turn_rate_3, climb_5, _r2), _r2), _multiply(turn_rate_4, climb_4, _r4), _r4), _multiply(turn_rate_5, climb_3, _r2), _r2)
     _s13 = _subtract(_multiply(_s0, _add(_add(_add(_s11, _multiply(sine_6, around_2, _r4), _r4), _multiply(sine_7, around_1, _r3), _r3), _multiply(sine_8, around_0, _r4), _r4), _r4), _multiply(p_inertia * _s8, _add(_add(_add(_s12, _multiply(turn_rate_6, climb_2, _r3), _r3), _multiply(turn_rate_7, climb_1, _r2), _r2), _multiply(turn_rate_8, climb_0, _r3), _r3), _r3), _r3)
     _s14 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s4, _r4), _multiply(cosine_1, around_7, _r2), _r2), _multiply(cosine_2, around_6, _r4), _r4), _multiply(cosine_3, around_5, _r2), _r2), _multiply(cosine_4, around_4, _r4), _r4), _multiply(cosine_5, around_3, _r2), _r2)
     _s15 = _add(_multiply(p_ring_radius * _s8, _add(_add(_add(_s14, _multiply(cosine_6, around_2, _r4), _r4), _multiply(cosine_7, around_1, _r2), _r2), _multiply(cosine_8, around_0, _r4), _r4), _r4), _multiply(_s0, _s4, _r2), _r2)
-    return _s2, _s4, _s6, _k101 * _add(_add(_add(_s7, _multiply(climb_6, cosine_2, _r4), _r4), _multiply(climb_7, cosine_1, _r0), _r0), _multiply(climb_8, cosine_0, _r4), _r4), -_s10, _k101 * _s13, (0.1111111111111111 * p_ring_radius) * _s4, _k101 * _s15
+    return _s2, _s4, _s6, _k102 * _add(_add(_add(_s7, _multiply(climb_6, cosine_2, _r4), _r4), _multiply(climb_7, cosine_1, _r0), _r0), _multiply(climb_8, cosine_0, _r4), _r4), -_s10, _k102 * _s13, (0.1111111111111111 * p_ring_radius) * _s4, _k102 * _s15
 
 
 def ring_round_9(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, along_9: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4900,9 +4901,9 @@ def ring_round_9(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s4 = _add(_add(_add(_add(_add(_multiply(climb_0, _s3, _r0), _multiply(climb_1, omega_8, _r1), _r1), _multiply(climb_2, omega_7, _r0), _r0), _multiply(climb_3, omega_6, _r1), _r1), _multiply(climb_4, omega_5, _r0), _r0), _multiply(climb_5, omega_4, _r1), _r1)
     _s5 = _add(_add(_add(_s4, _multiply(climb_6, omega_3, _r0), _r0), _multiply(climb_7, omega_2, _r1), _r1), _multiply(climb_8, omega_1, _r0), _r0) + _multiply(climb_9, omega_0, _r1)
     _s6 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_9, _r1), _multiply(climb_1, sine_8, _r0), _r0), _multiply(climb_2, sine_7, _r1), _r1), _multiply(climb_3, sine_6, _r0), _r0), _multiply(climb_4, sine_5, _r1), _r1), _multiply(climb_5, sine_4, _r0), _r0)
-    _s7 = _multiply(_k223, _add(_add(_add(_add(_s6, _multiply(climb_6, sine_3, _r1), _r1), _multiply(climb_7, sine_2, _r0), _r0), _multiply(climb_8, sine_1, _r1), _r1), _multiply(climb_9, sine_0, _r0), _r0), _r0)
+    _s7 = _multiply(_k224, _add(_add(_add(_add(_s6, _multiply(climb_6, sine_3, _r1), _r1), _multiply(climb_7, sine_2, _r0), _r0), _multiply(climb_8, sine_1, _r1), _r1), _multiply(climb_9, sine_0, _r0), _r0), _r0)
     _s8 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_9, _r1), _multiply(climb_1, cosine_8, _r2), _r2), _multiply(climb_2, cosine_7, _r1), _r1), _multiply(climb_3, cosine_6, _r2), _r2), _multiply(climb_4, cosine_5, _r1), _r1), _multiply(climb_5, cosine_4, _r2), _r2)
-    _s9 = _k223 * _add(_add(_add(_add(_s8, _multiply(climb_6, cosine_3, _r1), _r1), _multiply(climb_7, cosine_2, _r2), _r2), _multiply(climb_8, cosine_1, _r1), _r1), _multiply(climb_9, cosine_0, _r2), _r2)
+    _s9 = _k224 * _add(_add(_add(_add(_s8, _multiply(climb_6, cosine_3, _r1), _r1), _multiply(climb_7, cosine_2, _r2), _r2), _multiply(climb_8, cosine_1, _r1), _r1), _multiply(climb_9, cosine_0, _r2), _r2)
     _s10 = 1.0 / (1.0 + p_inertia)
     _s11 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_9, _r2), _multiply(omega_1, tilted_8, _r1), _r1), _multiply(omega_2, tilted_7, _r2), _r2), _multiply(omega_3, tilted_6, _r1), _r1), _multiply(omega_4, tilted_5, _r2), _r2), _multiply(omega_5, tilted_4, _r1), _r1)
     _s12 = _add(_multiply(_multiply(p_gravity, cosine_9, _r2), _s10, _r2), _add(_add(_add(_add(_s11, _multiply(omega_6, tilted_3, _r3), _r3), _multiply(omega_7, tilted_2, _r1), _r1), _multiply(omega_8, tilted_1, _r3), _r3), _multiply(tilted_0, _s3, _r1), _r1), _r1)
@@ -4912,7 +4913,7 @@ def ring_round_9(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s16 = _multiply(p_inertia * _s10, _add(_add(_add(_add(_s15, _multiply(turn_rate_6, climb_3, _r2), _r2), _multiply(turn_rate_7, climb_2, _r4), _r4), _multiply(turn_rate_8, climb_1, _r2), _r2), _multiply(turn_rate_9, climb_0, _r4), _r4), _r4)
     _s17 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s5, _r2), _multiply(cosine_1, around_8, _r5), _r5), _multiply(cosine_2, around_7, _r2), _r2), _multiply(cosine_3, around_6, _r5), _r5), _multiply(cosine_4, around_5, _r2), _r2), _multiply(cosine_5, around_4, _r5), _r5)
     _s18 = _multiply(p_ring_radius * _s10, _add(_add(_add(_add(_s17, _multiply(cosine_6, around_3, _r2), _r2), _multiply(cosine_7, around_2, _r5), _r5), _multiply(cosine_8, around_1, _r2), _r2), _multiply(cosine_9, around_0, _r5), _r5), _r5)
-    return _s3, _s5, -_s7, _s9, -_multiply(_multiply(_k223, per_reach, _r0), _s12, _r0), _k223 * _subtract(_s14, _s16, _r4), (0.1 * p_ring_radius) * _s5, _k223 * _add(_s18, _multiply(_s0, _s5, _r4), _r4)
+    return _s3, _s5, -_s7, _s9, -_multiply(_multiply(_k224, per_reach, _r0), _s12, _r0), _k224 * _subtract(_s14, _s16, _r4), (0.1 * p_ring_radius) * _s5, _k224 * _add(_s18, _multiply(_s0, _s5, _r4), _r4)
 
 
 def ring_round_10(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, along_10: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4940,7 +4941,7 @@ def ring_round_10(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_rad
     _s16 = _add(_add(_add(_add(_add(_s15, _multiply(turn_rate_6, climb_4, _r4), _r4), _multiply(turn_rate_7, climb_3, _r5), _r5), _multiply(turn_rate_8, climb_2, _r4), _r4), _multiply(turn_rate_9, climb_1, _r5), _r5), _multiply(turn_rate_10, climb_0, _r4), _r4)
     _s17 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s5, _r5), _multiply(cosine_1, around_9, _r6), _r6), _multiply(cosine_2, around_8, _r5), _r5), _multiply(cosine_3, around_7, _r6), _r6), _multiply(cosine_4, around_6, _r5), _r5), _multiply(cosine_5, around_5, _r6), _r6)
     _s18 = _add(_add(_add(_add(_add(_s17, _multiply(cosine_6, around_4, _r5), _r5), _multiply(cosine_7, around_3, _r6), _r6), _multiply(cosine_8, around_2, _r5), _r5), _multiply(cosine_9, around_1, _r6), _r6), _multiply(cosine_10, around_0, _r5), _r5)
-    return _s3, _s5, -_multiply(_k224, _s7, _r1), _k224 * _s9, -_multiply(_multiply(_k224, per_reach, _r0), _add(_multiply(_multiply(p_gravity, cosine_10, _r1), _s10, _r1), _s12, _r2), _r0), _k224 * _subtract(_multiply(_s0, _s14, _r3), _multiply(p_inertia * _s10, _s16, _r4), _r4), (0.09090909090909091 * p_ring_radius) * _s5, _k224 * _add(_multiply(p_ring_radius * _s10, _s18, _r5), _multiply(_s0, _s5, _r4), _r4)
+    return _s3, _s5, -_multiply(_k225, _s7, _r1), _k225 * _s9, -_multiply(_multiply(_k225, per_reach, _r0), _add(_multiply(_multiply(p_gravity, cosine_10, _r1), _s10, _r1), _s12, _r2), _r0), _k225 * _subtract(_multiply(_s0, _s14, _r3), _multiply(p_inertia * _s10, _s16, _r4), _r4), (0.09090909090909091 * p_ring_radius) * _s5, _k225 * _add(_multiply(p_ring_radius * _s10, _s18, _r5), _multiply(_s0, _s5, _r4), _r4)
 
 
 def ring_round_11(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, turn_rate_11: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, climb_11: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, cosine_11: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, sine_11: Any, along_11: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, omega_10: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, around_10: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any, tilted_11: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4969,7 +4970,7 @@ def ring_round_11(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_rad
     _s17 = _add(_add(_add(_add(_add(_s16, _multiply(turn_rate_6, climb_5, _r4), _r4), _multiply(turn_rate_7, climb_4, _r5), _r5), _multiply(turn_rate_8, climb_3, _r4), _r4), _multiply(turn_rate_9, climb_2, _r5), _r5), _multiply(turn_rate_10, climb_1, _r4), _r4)
     _s18 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s6, _r5), _multiply(cosine_1, around_10, _r6), _r6), _multiply(cosine_2, around_9, _r5), _r5), _multiply(cosine_3, around_8, _r6), _r6), _multiply(cosine_4, around_7, _r5), _r5), _multiply(cosine_5, around_6, _r6), _r6)
     _s19 = _add(_add(_add(_add(_add(_s18, _multiply(cosine_6, around_5, _r5), _r5), _multiply(cosine_7, around_4, _r6), _r6), _multiply(cosine_8, around_3, _r5), _r5), _multiply(cosine_9, around_2, _r6), _r6), _multiply(cosine_10, around_1, _r5), _r5)
-    return _s3, _s6, -_multiply(_k225, _add(_s8, _multiply(climb_11, sine_0, _r6), _r6), _r6), _k225 * _add(_s10, _multiply(climb_11, cosine_0, _r6), _r6), -_multiply(_multiply(_k225, per_reach, _r6), _add(_multiply(_multiply(p_gravity, cosine_11, _r0), _s11, _r0), _add(_s13, _multiply(tilted_0, _s3, _r1), _r1), _r1), _r6), _k225 * _subtract(_multiply(_s0, _add(_s15, _multiply(sine_11, around_0, _r6), _r6), _r6), _multiply(p_inertia * _s11, _add(_s17, _multiply(turn_rate_11, climb_0, _r3), _r3), _r3), _r3), (0.08333333333333333 * p_ring_radius) * _s6, _k225 * _add(_multiply(p_ring_radius * _s11, _add(_s19, _multiply(cosine_11, around_0, _r3), _r3), _r3), _multiply(_s0, _s6, _r5), _r5)
+    return _s3, _s6, -_multiply(_k226, _add(_s8, _multiply(climb_11, sine_0, _r6), _r6), _r6), _k226 * _add(_s10, _multiply(climb_11, cosine_0, _r6), _r6), -_multiply(_multiply(_k226, per_reach, _r6), _add(_multiply(_multiply(p_gravity, cosine_11, _r0), _s11, _r0), _add(_s13, _multiply(tilted_0, _s3, _r1), _r1), _r1), _r6), _k226 * _subtract(_multiply(_s0, _add(_s15, _multiply(sine_11, around_0, _r6), _r6), _r6), _multiply(p_inertia * _s11, _add(_s17, _multiply(turn_rate_11, climb_0, _r3), _r3), _r3), _r3), (0.08333333333333333 * p_ring_radius) * _s6, _k226 * _add(_multiply(p_ring_radius * _s11, _add(_s19, _multiply(cosine_11, around_0, _r3), _r3), _r3), _multiply(_s0, _s6, _r5), _r5)
 
 
 def ring_drops_through(p_ball_radius: Any, p_gravity: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
@@ -5051,7 +5052,7 @@ def backboard_curvature(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: An
     Table 2. 61 operations: 12 additions, 3 subtractions, 8 multiplications, 1 division, 2 negations, 9 absolute values, 13 comparisons, 13 selections.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _room[:10]
-    _s0 = _multiply(_k48, t, _r0)
+    _s0 = _multiply(_k49, t, _r0)
     _s1 = _absolute(dvx, _r1)
     _s2 = _absolute(dvy, _r2)
     _s3 = _select(_s1 < _s2, _s2, _s1, _r3)
@@ -5060,7 +5061,7 @@ def backboard_curvature(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: An
     _s6 = _absolute(dy, _r6)
     _s7 = _select(_s5 < _s6, _s6, _s5, _r7)
     _s8 = _absolute(dz, _r8)
-    _s9 = _multiply(_k63, _add(_multiply(t, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _select(_s7 < _s8, _s8, _s7, _r4), _r4), _r4)
+    _s9 = _multiply(_k64, _add(_multiply(t, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _select(_s7 < _s8, _s8, _s7, _r4), _r4), _r4)
     _s10 = _subtract(z, p_board_top, _r8)
     _s11 = _subtract(p_board_bottom, z, _r7)
     _s12 = _add(_add(_add(_multiply(p_gravity, _multiply(t, t, _r6), _r6), _multiply(_s0, _absolute(vz, _r5), _r5), _r5), _s9, _r5), _select(_s10 < _s11, _s11, _s10, _r6), _r6)
@@ -5086,11 +5087,11 @@ def backboard_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _halves(_room[:18])
     _s0 = _sqrt(_add(_multiply(nx, nx, _r0), _multiply(ny, ny, _r1), _r1), _r1)
     _s1 = _k26 < _s0
-    _s2 = _divide(_k139, _s0, _r1)
+    _s2 = _divide(_k140, _s0, _r1)
     _s3 = _subtract(z, p_board_top, _r0)
     _s4 = _subtract(p_board_bottom, z, _r2)
     _s5 = _absolute(_subtract(_select(_s3 < _k26, _k26, _s3, _r3), _select(_s4 < _k26, _k26, _s4, _r4), _r4), _r4)
-    _s6 = _k141 / p_ball_radius
+    _s6 = _k142 / p_ball_radius
     _s7 = _add(p_board_distance, x, _r2)
     _s8 = p_board_distance + p_board_thickness
     _s9 = _negative(_add(_s8, x, _r3), _r3)
@@ -5109,17 +5110,17 @@ def backboard_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s22 = _select(_s18 < _s21, _s18, _s21, _r12)
     _s23 = _select(_s17 < _s22, _s17, _s22, _r13)
     _s24 = _select(_s16 < _s23, _s16, _s23, _r14)
-    _s25 = _k160 * (((((_k33 * p_board_distance) + (_k33 * p_board_half_width)) + p_board_thickness) + _absolute(p_board_bottom)) + _absolute(p_board_top))
+    _s25 = _k161 * (((((_k33 * p_board_distance) + (_k33 * p_board_half_width)) + p_board_thickness) + _absolute(p_board_bottom)) + _absolute(p_board_top))
     _s26 = _subtract(_select(_s15 < _s24, _s15, _s24, _r15), _s25, _r15)
     _s27 = _select(_s6 < _s14, _s14, _s6, _r14)
-    _s28 = _divide(_k139, _multiply(_k266, _s26, _r13), _r13)
+    _s28 = _divide(_k140, _multiply(_k267, _s26, _r13), _r13)
     _s29 = _add(_k21, _multiply(_k22, _multiply(t, _absolute(normal_velocity, _r12), _r12), _r12), _r12)
     _s30 = _multiply(t, t, _r11)
     _s31 = _absolute(vx, _r10)
     _s32 = _absolute(vy, _r9)
     _s33 = _add(_multiply(p_gravity, _s30, _r8), _multiply(t, _add(_add(_s31, _s32, _r3), _absolute(vz, _r2), _r2), _r2), _r2)
     _s34 = _multiply(_k19, t, _r8)
-    _s35 = _add((_k267 * p_board_distance) + (_k267 * p_board_thickness), _multiply(_k22, _s10, _r6), _r6)
+    _s35 = _add((_k268 * p_board_distance) + (_k268 * p_board_thickness), _multiply(_k22, _s10, _r6), _r6)
     _s36 = _add(_add(_k21, _multiply(_k22, _add(_multiply(_s34, _s31, _r10), _absolute(x, _r3), _r3), _r3), _r3), _multiply(_k19, _s35, _r10), _r10)
     _s37 = _multiply(_k22, _s13, _r7)
     _s38 = _add(_add(_k21, _multiply(_k22, _add(_multiply(_s34, _s32, _r9), _absolute(y, _r3), _r3), _r3), _r3), _multiply(_k19, _s37, _r9), _r9)
@@ -5127,17 +5128,17 @@ def backboard_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s40 = _add(_add(_multiply(_s39, _s30, _r11), _multiply(_s34, _absolute(_add(vz, _multiply(_s39, t, _r3), _r3), _r3), _r3), _r3), _absolute(z, _r11), _r11)
     _s41 = _multiply(_k22, _s5, _r3)
     _s42 = _add(_add(_k21, _multiply(_k22, _s40, _r11), _r11), _multiply(_k19, _s41, _r8), _r8)
-    _s43 = _add(_multiply(_multiply(_s6, _s33, _r11), _add(_add(_s36, _s38, _r0), _s42, _r0), _r11), _multiply(_k268, _s33, _r2), _r2)
-    _s44 = _multiply(_k142, _s43, _r11)
-    _s45 = _multiply(_k169, _multiply(p_ball_radius, _divide(_multiply(normal_velocity, normal_velocity, _r0), _add(_add(_multiply(vx, vx, _r16), _multiply(vy, vy, _r17), _r17), _multiply(vz, vz, _r16), _r16), _r16), _r16), _r16)
+    _s43 = _add(_multiply(_multiply(_s6, _s33, _r11), _add(_add(_s36, _s38, _r0), _s42, _r0), _r11), _multiply(_k269, _s33, _r2), _r2)
+    _s44 = _multiply(_k143, _s43, _r11)
+    _s45 = _multiply(_k170, _multiply(p_ball_radius, _divide(_multiply(normal_velocity, normal_velocity, _r0), _add(_add(_multiply(vx, vx, _r16), _multiply(vy, vy, _r17), _r17), _multiply(vz, vz, _r16), _r16), _r16), _r16), _r16)
     _s46 = _add(_add(_s29, _s43, _r2), _select(_s44 < _s45, _s45, _s44, _r0), _r0)
-    _s47 = _add(_k269 * p_ball_radius, _add(_add(_multiply(_absolute(nx, _r11), _s36, _r11), _multiply(_absolute(ny, _r10), _s38, _r10), _r10), _multiply(_absolute(nz, _r11), _s42, _r11), _r11), _r11)
-    _s48 = _multiply(_k142, _s47, _r10)
+    _s47 = _add(_k270 * p_ball_radius, _add(_add(_multiply(_absolute(nx, _r11), _s36, _r11), _multiply(_absolute(ny, _r10), _s38, _r10), _r10), _multiply(_absolute(nz, _r11), _s42, _r11), _r11), _r11)
+    _s48 = _multiply(_k143, _s47, _r10)
     _s49 = _add(_add(_s29, _s47, _r11), _select(_s48 < _s45, _s45, _s48, _r12), _r12)
     _s50 = _add(place_n, _s49, _r10)
     _s51 = _k26 < back
     _s52 = _add(place_n, _s46, _r11)
-    return _result(_s1, _negative(_multiply(ny, _s2, _r16), _r16), _k26, _r0), _result(_s1, _multiply(nx, _s2, _r1), _k139, _r0), _result(_logical_and((_k26 < _s5), _s1), _s6, _k26, _r0), _s14, _result(_k26 < _s26, _select(_s27 < _s28, _s28, _s27, _r15), _k27, _r0), _result(_s51, _select(_s46 < _s50, _s50, _s46, _r15), _s49, _r0), _result(_s51, _select(_s52 < _s49, _s49, _s52, _r15), _s49, _r0), _k270 + _multiply(_k33 * _s6, _add(_add(_s35, _s37, _r7), _s41, _r7), _r7)
+    return _result(_s1, _negative(_multiply(ny, _s2, _r16), _r16), _k26, _r0), _result(_s1, _multiply(nx, _s2, _r1), _k140, _r0), _result(_logical_and((_k26 < _s5), _s1), _s6, _k26, _r0), _s14, _result(_k26 < _s26, _select(_s27 < _s28, _s28, _s27, _r15), _k27, _r0), _result(_s51, _select(_s46 < _s50, _s50, _s46, _r15), _s49, _r0), _result(_s51, _select(_s52 < _s49, _s49, _s52, _r15), _s49, _r0), _k271 + _multiply(_k33 * _s6, _add(_add(_s35, _s37, _r7), _s41, _r7), _r7)
 
 
 def backboard_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, change_ball_radius: Any, change_board_distance: Any, change_board_half_width: Any, change_board_bottom: Any, change_board_top: Any, change_board_thickness: Any) -> tuple[Any, ...]:
@@ -5202,10 +5203,10 @@ def backboard_carry_normal(x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, sh
     _s12 = _select(_s10 < _s11, _s11, _s10, _r11)
     _s13 = _subtract(_select(_s4 < _k4, _k4, dy, _r12), _select(_s5 < _k4, _k4, _negative(dy, _r13), _r14), _r14)
     _s14 = _subtract(_select(_s7 < _k4, _k4, dz, _r13), _select(_s8 < _k4, _k4, _negative(dz, _r12), _r15), _r15)
-    _s15 = _multiply(_multiply(_k71, _add(_add(_multiply(_multiply(_k48, _s2, _r12), _s3, _r12), _multiply(_multiply(_k48, _s13, _r13), _s6, _r13), _r13), _multiply(_multiply(_k48, _s14, _r12), _s9, _r12), _r12), _r12), _divide(_k39, _s10, _r13), _r12)
+    _s15 = _multiply(_multiply(_k72, _add(_add(_multiply(_multiply(_k49, _s2, _r12), _s3, _r12), _multiply(_multiply(_k49, _s13, _r13), _s6, _r13), _r13), _multiply(_multiply(_k49, _s14, _r12), _s9, _r12), _r12), _r12), _divide(_k39, _s10, _r13), _r12)
     _s16 = _select(_s10 < _s11, _k4, _s15, _r13)
     _s17 = _multiply(_s12, _s12, _r16)
-    _s18 = _multiply(_k63, shift, _r17)
+    _s18 = _multiply(_k64, shift, _r17)
     _s19 = _add(_s18, _select(_s7 < _s8, _s8, _s7, _r18), _r18)
     _s20 = _add(_s18, _select(_s0 < _s1, _s1, _s0, _r8), _r8)
     _s21 = _select(_s19 < _s20, _s20, _s19, _r1)
@@ -5216,10 +5217,10 @@ def backboard_carry_normal(x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, sh
     return _divide(_s2, _s12, _r4) - _divide(_multiply(_s3, _s16, _r2), _s17, _r2), _divide(_s13, _s12, _r14) - _divide(_multiply(_s6, _s16, _r7), _s17, _r7), _divide(_s14, _s12, _r15) - _divide(_multiply(_s9, _s16, _r13), _s17, _r13), shift * _select(_select(_s21 < _s25, _s21, _s25, _r13) < _k4, _k4, 1.0 / p_ball_radius, _r13)
 
 
-def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, earliest_delay: Any, pad: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Constants and windows of the search along a flight, and its error budget.
 
-    bounds of the event condition. 135 operations: 27 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections.
+    bounds of the event condition. 142 operations: 29 additions, 10 subtractions, 31 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 26 comparisons, 28 selections.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22 = _room[:23]
     _s0 = _absolute(vx, _r0)
@@ -5256,7 +5257,7 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     _s31 = _select(_s21 < _s30, _s30, _s21, _r16)
     _s32 = _add(_s22, _multiply(_s25, _subtract(_s23, _s24, _r12), _r12), _r12)
     _s33 = _sqrt(_select(_s32 < _k4, _k4, _s32, _r11), _r11)
-    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k180, _r17)
+    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k181, _r17)
     _s35 = _k4 < _s32
     _s36 = _select(_s35, _multiply(_s27, _subtract(vz, _s33, _r12), _r12), _s34, _r18)
     _s37 = _divide(_subtract(_s18, _s19, _r8), _s17, _r8)
@@ -5271,12 +5272,12 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     _s46 = _select(_s45 < _s44, _s44, _s45, _r21)
     _s47 = _result(_s46 < horizon, _s46, horizon, _r0)
     _s48 = _add(speed, _multiply(p_gravity, _s47, _r21), _r21)
-    _s49 = _k48 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k89, _multiply(_s48, _s48, _r21), _r21), _r21)
+    _s49 = _k49 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k90, _multiply(_s48, _s48, _r21), _r21), _r21)
     _s50 = _where(_s2 < _s7, _s7, _s2)
     _s51 = _add(_add(_add(_s12, extent, _r21), _absolute((_s5 + _s3)), _r21), _where(_s50 < _s6, _s6, _s50), _r21)
-    _s52 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s27, _add(_s51, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k48, speed, _r22), _s27, _r22), _r22)
-    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k182, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
-    return _result(_k4 < _s31, _s31, _k4, _r0), _result(_s41 < horizon, _s41, horizon, _r0), _result(_k4 < _s43, _s43, _k4, _r0), _result(_s44 < horizon, _s44, horizon, _r0), _s49, _s47, _s53
+    _s52 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s27, _add(_s51, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k49, speed, _r22), _s27, _r22), _r22)
+    _s53 = _add(_add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k183, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22), _select(_multiply(_k49, pad, _r20) < earliest_delay, _multiply(earliest_delay, _add(speed, _multiply(p_gravity, horizon, _r20), _r20), _r20), _k4, _r21), _r21)
+    return _result(_k4 < _s31, _s31, _k4, _r0), _result(_s41 < horizon, _s41, horizon, _r0), _result(_k4 < _s43, _s43, _k4, _r0), _result(_s44 < horizon, _s44, horizon, _r0), _s49, _s47, _s53 - (1.52587890625e-05 * _s9)
 
 
 def backboard_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5292,17 +5293,17 @@ def backboard_margins(horizon: Any, extent: Any, speed: Any, position_error: Any
     _s4 = p_ball_radius + (0.0001220703125 * _where(_s0 < _s3, _s0, _s3))
     _s5 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s6 = _add(extent, _multiply(horizon, _s5, _r1), _r1)
-    _s7 = _multiply(_k61, _s6, _r2)
-    _s8 = _multiply(_k48, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k14, _s6, _r4), _r4), _r4)
+    _s7 = _multiply(_k62, _s6, _r2)
+    _s8 = _multiply(_k49, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k14, _s6, _r4), _r4), _r4)
     _s9 = _add(_add(3.3306690738754696e-16 * p_board_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
-    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k275, _s6, _r1), _r1), _s8, _r1)
+    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k276, _s6, _r1), _r1), _s8, _r1)
     _s12 = _add(_add((2.220446049250313e-16 * _absolute(p_board_bottom)) + (2.220446049250313e-16 * _absolute(p_board_top)), _s7, _r2), _s8, _r2)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k276, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k277, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k275, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k278, _s5, _r6)
-    _s17 = _add(_add(_add(_multiply(2.667137344314341e-15 * _s4, _s5, _r8), _multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k61, _s5, _r0), _r0), _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r1), _r1)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k277, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k278, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k276, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k279, _s5, _r6)
+    _s17 = _add(_add(_add(_multiply(2.667137344314341e-15 * _s4, _s5, _r8), _multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k62, _s5, _r0), _r0), _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r1), _r1)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
 
@@ -5326,7 +5327,7 @@ def backboard_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s11 = _subtract(_s10, p_board_top, _r2)
     _s12 = _subtract(p_board_bottom, _s10, _r1)
     _s13 = _subtract(_select(_s11 < _k4, _k4, _s11, _r5), _select(_s12 < _k4, _k4, _s12, _r6), _r6)
-    _s14 = _k48 * _add(_add(_multiply(vx, _s4, _r1), _multiply(vy, _s8, _r5), _r5), _multiply(_subtract(vz, _multiply(p_gravity, t, _r1), _r1), _s13, _r1), _r1)
+    _s14 = _k49 * _add(_add(_multiply(vx, _s4, _r1), _multiply(vy, _s8, _r5), _r5), _multiply(_subtract(vz, _multiply(p_gravity, t, _r1), _r1), _s13, _r1), _r1)
     _s15 = _add(p_board_distance, x, _r1)
     _s16 = _negative(_add(_s2, x, _r5), _r5)
     _s17 = _subtract(_select(_s15 < _k4, _k4, _s15, _r2), _select(_s16 < _k4, _k4, _s16, _r7), _r7)
@@ -5379,9 +5380,9 @@ def backboard_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: 
     _s26 = _add(_add(_select(_k4 < _multiply(_s3, _s7, _r10), _multiply(t, _multiply(vx, _add(_s3, _s7, _r10), _r10), _r10), _subtract(_s8, _multiply(_s3, _s3, _r3), _r3), _r0), _select(_k4 < _multiply(_s11, _s15, _r12), _multiply(t, _multiply(vy, _add(_s11, _s15, _r12), _r12), _r12), _subtract(_s16, _multiply(_s11, _s11, _r6), _r6), _r13), _r13), _select(_k4 < _multiply(_s19, _s24, _r6), _multiply(t, _multiply(_s20, _add(_s19, _s24, _r6), _r6), _r6), _subtract(_s25, _multiply(_s19, _s19, _r9), _r9), _r5), _r5)
     _s27 = _result(_k4 < leaving, _s26, _subtract(_add(_add(_s8, _s16, _r2), _s25, _r2), p_ball_radius * p_ball_radius, _r2), _r0)
     _s28 = _subtract(vz, _multiply(p_gravity, t, _r8), _r8)
-    _s29 = _k48 * _add(_add(_multiply(vx, _s7, _r1), _multiply(vy, _s15, _r9), _r9), _multiply(_s28, _s24, _r1), _r1)
+    _s29 = _k49 * _add(_add(_multiply(vx, _s7, _r1), _multiply(vy, _s15, _r9), _r9), _multiply(_s28, _s24, _r1), _r1)
     _s30 = _absolute(_s24, _r1)
-    _s31 = _k48 * _add(_add(_select(_k4 < _absolute(_s7, _r4), _multiply(vx, vx, _r4), _k4, _r9), _select(_k4 < _absolute(_s15, _r7), _multiply(vy, vy, _r7), _k4, _r6), _r6), _select(_k4 < _s30, _subtract(_multiply(_s28, _s28, _r7), _multiply(p_gravity, _s24, _r11), _r11), _k4, _r7), _r7)
+    _s31 = _k49 * _add(_add(_select(_k4 < _absolute(_s7, _r4), _multiply(vx, vx, _r4), _k4, _r9), _select(_k4 < _absolute(_s15, _r7), _multiply(vy, vy, _r7), _k4, _r6), _r6), _select(_k4 < _s30, _subtract(_multiply(_s28, _s28, _r7), _multiply(p_gravity, _s24, _r11), _r11), _k4, _r7), _r7)
     _s32 = _absolute((-p_gravity))
     _s33 = (p_ball_radius + (0.5 * p_board_top)) - (0.5 * p_board_bottom)
     _s34 = p_ball_radius + p_board_half_width
@@ -5393,18 +5394,18 @@ def backboard_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: 
     _s40 = _select(_s39 < _k4, _k4, _s39, _r5)
     _s41 = _negative(_s31, _r11)
     _s42 = _s38 < _k4
-    _s43 = _multiply(_k48, _s40, _r6)
-    _s44 = _select(_k4 < _select(_k4 <= _s38, _s40, _k4, _r9), _k5, _divide(_select(_s42, _s43, _multiply(_k90, _s38, _r9), _r4), _select(_s42, _negative(_s38, _r13), _select(_k4 < _s41, _s41, _k4, _r12), _r0), _r4), _r9)
+    _s43 = _multiply(_k49, _s40, _r6)
+    _s44 = _select(_k4 < _select(_k4 <= _s38, _s40, _k4, _r9), _k5, _divide(_select(_s42, _s43, _multiply(_k91, _s38, _r9), _r4), _select(_s42, _negative(_s38, _r13), _select(_k4 < _s41, _s41, _k4, _r12), _r0), _r4), _r9)
     _s45 = _subtract(end, t, _r0)
     _s46 = _select(_s44 < _s45, _s44, _s45, _r12)
     _s47 = _add(_multiply(_add(_multiply(0.5 * _s32, _s46, _r11), _absolute(_s28, _r8), _r8), _s46, _r8), _s30, _r8)
-    _s48 = _add(_multiply(_k115, ceiling, _r1), _multiply(_k48, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
-    _s49 = _add(_multiply(_multiply(_k48, _s48, _r1), _s40, _r1), _multiply(_s38, _s38, _r5), _r5)
+    _s48 = _add(_multiply(_k116, ceiling, _r1), _multiply(_k49, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
+    _s49 = _add(_multiply(_multiply(_k49, _s48, _r1), _s40, _r1), _multiply(_s38, _s38, _r5), _r5)
     _s50 = _sqrt(_s49, _r1)
     _s51 = _select(_k4 <= _s49, _divide(_select(_s42, _s43, _add(_s38, _s50, _r5), _r2), _select(_s42, _subtract(_s50, _s38, _r1), _select(_k4 < _s48, _s48, _k4, _r7), _r8), _r2), _k5, _r5)
     _s52 = _result(_s51 < _s46, _s51, _s46, _r0)
     _s53 = _negative(_add(rate_margin, _s29, _r8), _r8)
-    return _s27, _s29, _s31, _s52, t + _s52, _result(_k4 < _s53, _subtract(_multiply(_s53, _s53, _r5), _multiply(_multiply(_k51, ceiling, _r2), _add(margin, _s43, _r6), _r2), _r2), _s53, _r0)
+    return _s27, _s29, _s31, _s52, t + _s52, _result(_k4 < _s53, _subtract(_multiply(_s53, _s53, _r5), _multiply(_multiply(_k52, ceiling, _r2), _add(margin, _s43, _r6), _r2), _r2), _s53, _r0)
 
 
 def backboard_near(horizon: Any, x: Any, vx: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, earliest_delay: Any, pad: Any, p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5413,7 +5414,7 @@ def backboard_near(horizon: Any, x: Any, vx: Any, extent: Any, speed: Any, posit
     disjoint boxes. 27 operations: 7 additions, 3 subtractions, 5 multiplications, 1 negation, 5 comparisons, 1 conjunction, 2 complements, 3 selections.
     """
     _r0, _r1, _r2, _r3 = _room[:4]
-    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k78, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s0 = _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(_k79, _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r1), _r1), _r1), _r1), _r1), _r1)
     _s1 = _select(pad < earliest_delay, _k5, _s0, _r0)
     _s2 = _add(x, _multiply(vx, horizon, _r2), _r2)
     _s3 = _logical_not((_s1 < _subtract(-((p_ball_radius + p_board_distance) + p_board_thickness), _select(x < _s2, _s2, x, _r3), _r3)))
@@ -5436,12 +5437,12 @@ def backboard_approaches(leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx:
     _s7 = _subtract(p_board_bottom, z, _r0)
     _s8 = _subtract(_select(_s6 < _k4, _k4, _s6, _r1), _select(_s7 < _k4, _k4, _s7, _r5), _r5)
     _s9 = _add(_add(_absolute(_s2, _r0), _absolute(_s5, _r1), _r1), _absolute(_s8, _r0), _r0)
-    _s10 = _add(position_error, _multiply(_k78, _add(extent, _s9, _r1), _r1), _r1)
-    _s11 = _logical_and(_logical_or((_k39 <= leaving), (_add(p_ball_radius * p_ball_radius, _multiply(_k90, _multiply(_s10, _s9, _r2), _r2), _r2) < _add(_add(_multiply(_s2, _s2, _r6), _multiply(_s5, _s5, _r7), _r7), _multiply(_s8, _s8, _r6), _r6))), (earliest_delay <= pad))
-    _s12 = _multiply(_k90, _add(_multiply(velocity_error, _s9, _r0), _multiply(_s10, _add(velocity_error, _add(speed, _multiply(p_gravity, horizon, _r6), _r6), _r6), _r6), _r6), _r6)
-    _s13 = _multiply(_multiply(_k71, horizon, _r0), _negative(_multiply(p_gravity, _s8, _r1), _r1), _r0)
+    _s10 = _add(position_error, _multiply(_k79, _add(extent, _s9, _r1), _r1), _r1)
+    _s11 = _logical_and(_logical_or((_k39 <= leaving), (_add(p_ball_radius * p_ball_radius, _multiply(_k91, _multiply(_s10, _s9, _r2), _r2), _r2) < _add(_add(_multiply(_s2, _s2, _r6), _multiply(_s5, _s5, _r7), _r7), _multiply(_s8, _s8, _r6), _r6))), (earliest_delay <= pad))
+    _s12 = _multiply(_k91, _add(_multiply(velocity_error, _s9, _r0), _multiply(_s10, _add(velocity_error, _add(speed, _multiply(p_gravity, horizon, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s13 = _multiply(_multiply(_k72, horizon, _r0), _negative(_multiply(p_gravity, _s8, _r1), _r1), _r0)
     _s14 = _add(_subtract(_add(_add(_multiply(vx, _s2, _r3), _multiply(vy, _s5, _r4), _r4), _multiply(vz, _s8, _r5), _r5), _s12, _r6), _select(_s13 < _k4, _s13, _k4, _r5), _r5) <= _k4
-    _s15 = _logical_or(_logical_not(_logical_and(_logical_and(_s11, (position_error <= _multiply(_k288, extent, _r5))), (velocity_error <= _multiply(_k288, speed, _r5)))), _s14)
+    _s15 = _logical_or(_logical_not(_logical_and(_logical_and(_s11, (position_error <= _multiply(_k289, extent, _r5))), (velocity_error <= _multiply(_k289, speed, _r5)))), _s14)
     return _s15,
 
 
@@ -5461,9 +5462,9 @@ def backboard_beside(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: 
     _s7 = _subtract(p_board_bottom, z, _r7)
     _s8 = _subtract(_select(_s6 < _k4, _k4, _s6, _r8), _select(_s7 < _k4, _k4, _s7, _r9), _r9)
     _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8), _r8)
-    _s10 = _add(_multiply(_multiply(_k48, _subtract(_select(_s0 < _k4, _k4, vx, _r0), _select(_s1 < _k4, _k4, _negative(vx, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(_k48, _subtract(_select(_s3 < _k4, _k4, vy, _r2), _select(_s4 < _k4, _k4, _negative(vy, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
-    _s11 = _add(_s10, _multiply(_multiply(_k48, _subtract(_select(_s6 < _k4, _k4, vz, _r5), _select(_s7 < _k4, _k4, _negative(vz, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
-    return _s9 - p_ball_radius, _multiply(_k71, _s11, _r10) / _s9, 0.0
+    _s10 = _add(_multiply(_multiply(_k49, _subtract(_select(_s0 < _k4, _k4, vx, _r0), _select(_s1 < _k4, _k4, _negative(vx, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(_k49, _subtract(_select(_s3 < _k4, _k4, vy, _r2), _select(_s4 < _k4, _k4, _negative(vy, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
+    _s11 = _add(_s10, _multiply(_multiply(_k49, _subtract(_select(_s6 < _k4, _k4, vz, _r5), _select(_s7 < _k4, _k4, _negative(vz, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
+    return _s9 - p_ball_radius, _multiply(_k72, _s11, _r10) / _s9, 0.0
 
 
 def backboard_closing(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, x: Any, y: Any, z: Any, nx: Any, ny: Any, nz: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, rolling_acceleration_x: Any, rolling_acceleration_y: Any, rolling_acceleration_z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5491,16 +5492,16 @@ def backboard_closing(p_ball_radius: Any, p_board_bottom: Any, p_board_distance:
     _s16 = _s6 < _k4
     _s17 = _s7 < _k4
     _s18 = _subtract(_select(_s16, _k4, rolled_z, _r7), _select(_s17, _k4, _negative(rolled_z, _r5), _r2), _r2)
-    _s19 = _add(_add(_multiply(_multiply(_k48, _s12, _r5), _s2, _r5), _multiply(_multiply(_k48, _s15, _r7), _s5, _r7), _r7), _multiply(_multiply(_k48, _s18, _r5), _s8, _r5), _r5)
+    _s19 = _add(_add(_multiply(_multiply(_k49, _s12, _r5), _s2, _r5), _multiply(_multiply(_k49, _s15, _r7), _s5, _r7), _r7), _multiply(_multiply(_k49, _s18, _r5), _s8, _r5), _r5)
     _s20 = _divide(_k39, _s9, _r7)
-    _s21 = _multiply(_k71, _s19, _r4) * _s20
-    _s22 = _multiply(_k48, _add(_multiply(_subtract(_select(_s10, _k4, rolling_acceleration_x, _r4), _select(_s11, _k4, _negative(rolling_acceleration_x, _r1), _r11), _r11), _s2, _r11), _multiply(_s12, _s12, _r10), _r10), _r10)
-    _s23 = _multiply(_k48, _add(_multiply(_subtract(_select(_s13, _k4, rolling_acceleration_y, _r11), _select(_s14, _k4, _negative(rolling_acceleration_y, _r1), _r4), _r4), _s5, _r4), _multiply(_s15, _s15, _r0), _r0), _r0)
-    _s24 = _multiply(_k48, _add(_multiply(_subtract(_select(_s16, _k4, rolling_acceleration_z, _r4), _select(_s17, _k4, _negative(rolling_acceleration_z, _r1), _r11), _r11), _s8, _r11), _multiply(_s18, _s18, _r2), _r2), _r2)
-    _s25 = _k71 * _add(_multiply(_negative(_multiply(_s21, _multiply(_s20, _s20, _r11), _r11), _r11), _s19, _r11), _multiply(_add(_add(_s22, _s23, _r0), _s24, _r2), _s20, _r2), _r2)
-    _s26 = _add(_multiply(_multiply(_k48, _subtract(_select(_s10, _k4, nx, _r2), _select(_s11, _k4, _negative(nx, _r11), _r0), _r0), _r0), _s2, _r0), _multiply(_multiply(_k48, _subtract(_select(_s13, _k4, ny, _r3), _select(_s14, _k4, _negative(ny, _r11), _r2), _r2), _r2), _s5, _r2), _r2)
-    _s27 = _add(_s26, _multiply(_multiply(_k48, _subtract(_select(_s16, _k4, nz, _r0), _select(_s17, _k4, _negative(nz, _r6), _r11), _r11), _r11), _s8, _r11), _r11)
-    return _s9 - p_ball_radius, _s21, _s25, _multiply(_k71, _s27, _r11) * _s20
+    _s21 = _multiply(_k72, _s19, _r4) * _s20
+    _s22 = _multiply(_k49, _add(_multiply(_subtract(_select(_s10, _k4, rolling_acceleration_x, _r4), _select(_s11, _k4, _negative(rolling_acceleration_x, _r1), _r11), _r11), _s2, _r11), _multiply(_s12, _s12, _r10), _r10), _r10)
+    _s23 = _multiply(_k49, _add(_multiply(_subtract(_select(_s13, _k4, rolling_acceleration_y, _r11), _select(_s14, _k4, _negative(rolling_acceleration_y, _r1), _r4), _r4), _s5, _r4), _multiply(_s15, _s15, _r0), _r0), _r0)
+    _s24 = _multiply(_k49, _add(_multiply(_subtract(_select(_s16, _k4, rolling_acceleration_z, _r4), _select(_s17, _k4, _negative(rolling_acceleration_z, _r1), _r11), _r11), _s8, _r11), _multiply(_s18, _s18, _r2), _r2), _r2)
+    _s25 = _k72 * _add(_multiply(_negative(_multiply(_s21, _multiply(_s20, _s20, _r11), _r11), _r11), _s19, _r11), _multiply(_add(_add(_s22, _s23, _r0), _s24, _r2), _s20, _r2), _r2)
+    _s26 = _add(_multiply(_multiply(_k49, _subtract(_select(_s10, _k4, nx, _r2), _select(_s11, _k4, _negative(nx, _r11), _r0), _r0), _r0), _s2, _r0), _multiply(_multiply(_k49, _subtract(_select(_s13, _k4, ny, _r3), _select(_s14, _k4, _negative(ny, _r11), _r2), _r2), _r2), _s5, _r2), _r2)
+    _s27 = _add(_s26, _multiply(_multiply(_k49, _subtract(_select(_s16, _k4, nz, _r0), _select(_s17, _k4, _negative(nz, _r6), _r11), _r11), _r11), _s8, _r11), _r11)
+    return _s9 - p_ball_radius, _s21, _s25, _multiply(_k72, _s27, _r11) * _s20
 
 
 def backboard_distance(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5567,7 +5568,7 @@ def backboard_turning(p_ball_radius: Any, p_board_bottom: Any, p_board_distance:
     _s12 = _select(_s10 < _s11, _s11, _s10, _r9)
     _s13 = _subtract(_select(_s4 < _k4, _k4, rolled_y, _r3), _select(_s5 < _k4, _k4, _negative(rolled_y, _r1), _r10), _r10)
     _s14 = _subtract(_select(_s7 < _k4, _k4, rolled_z, _r0), _select(_s8 < _k4, _k4, _negative(rolled_z, _r6), _r1), _r1)
-    _s15 = _multiply(_multiply(_k71, _add(_add(_multiply(_multiply(_k48, _s2, _r6), _s3, _r6), _multiply(_multiply(_k48, _s13, _r0), _s6, _r0), _r0), _multiply(_multiply(_k48, _s14, _r6), _s9, _r6), _r6), _r6), _divide(_k39, _s10, _r0), _r6)
+    _s15 = _multiply(_multiply(_k72, _add(_add(_multiply(_multiply(_k49, _s2, _r6), _s3, _r6), _multiply(_multiply(_k49, _s13, _r0), _s6, _r0), _r0), _multiply(_multiply(_k49, _s14, _r6), _s9, _r6), _r6), _r6), _divide(_k39, _s10, _r0), _r6)
     _s16 = _select(_s10 < _s11, _k4, _s15, _r0)
     _s17 = _multiply(_s12, _s12, _r3)
     return _divide(_s2, _s12, _r4) - _divide(_multiply(_s3, _s16, _r2), _s17, _r2), _divide(_s13, _s12, _r10) - _divide(_multiply(_s6, _s16, _r5), _s17, _r5), _divide(_s14, _s12, _r1) - _divide(_multiply(_s9, _s16, _r0), _s17, _r0)
@@ -5593,25 +5594,25 @@ def backboard_separation(p_board_bottom: Any, p_board_distance: Any, p_board_hal
     _s11 = _s10 < _k4
     _s12 = _subtract(_select(_s9, _k4, vz, _r3), _select(_s11, _k4, _negative(vz, _r7), _r8), _r8)
     _s13 = _subtract(_select(_s8 < _k4, _k4, _s8, _r7), _select(_s10 < _k4, _k4, _s10, _r3), _r3)
-    _s14 = _add(_add(_multiply(_multiply(_k48, _s2, _r7), _s3, _r7), _multiply(_multiply(_k48, _s6, _r1), _s7, _r1), _r1), _multiply(_multiply(_k48, _s12, _r7), _s13, _r7), _r7)
+    _s14 = _add(_add(_multiply(_multiply(_k49, _s2, _r7), _s3, _r7), _multiply(_multiply(_k49, _s6, _r1), _s7, _r1), _r1), _multiply(_multiply(_k49, _s12, _r7), _s13, _r7), _r7)
     _s15 = _divide(_k39, _sqrt(_add(_add(_multiply(_s3, _s3, _r2), _multiply(_s7, _s7, _r0), _r0), _multiply(_s13, _s13, _r2), _r2), _r2), _r2)
-    _s16 = _multiply(_multiply(_k71, _s14, _r0), _s15, _r0)
+    _s16 = _multiply(_multiply(_k72, _s14, _r0), _s15, _r0)
     _s17 = _multiply(_s15, _s15, _r1)
     _s18 = _negative(_multiply(_s16, _s17, _r5), _r5)
     _s19 = _subtract(_select(_s9, _k4, -p_gravity, _r9), _select(_s11, _k4, p_gravity, _r10), _r10)
-    _s20 = _add(_add(_multiply(_k48, _add(_multiply(_s19, _s13, _r3), _multiply(_s12, _s12, _r9), _r9), _r9), _multiply(_k48, _multiply(_s2, _s2, _r4), _r4), _r4), _multiply(_k48, _multiply(_s6, _s6, _r6), _r6), _r6)
-    _s21 = _k71 * _add(_multiply(_s18, _s14, _r4), _multiply(_s20, _s15, _r9), _r9)
+    _s20 = _add(_add(_multiply(_k49, _add(_multiply(_s19, _s13, _r3), _multiply(_s12, _s12, _r9), _r9), _r9), _multiply(_k49, _multiply(_s2, _s2, _r4), _r4), _r4), _multiply(_k49, _multiply(_s6, _s6, _r6), _r6), _r6)
+    _s21 = _k72 * _add(_multiply(_s18, _s14, _r4), _multiply(_s20, _s15, _r9), _r9)
     _s22 = _multiply(_s18, _s20, _r9)
-    _s23 = _multiply(_k48, _s18, _r4)
+    _s23 = _multiply(_k49, _s18, _r4)
     _s24 = _negative(_add(_multiply(_s21, _s17, _r3), _multiply(_multiply(_s23, _s16, _r11), _s15, _r11), _r11), _r11)
-    _s25 = _multiply(_k48, _add(_multiply(_multiply(_k48, _s19, _r3), _s12, _r3), _multiply(_s19, _s12, _r8), _r8), _r8)
-    _s26 = _k71 * _add(_add(_s22, _multiply(_s14, _s24, _r3), _r3), _add(_s22, _multiply(_s25, _s15, _r12), _r12), _r12)
+    _s25 = _multiply(_k49, _add(_multiply(_multiply(_k49, _s19, _r3), _s12, _r3), _multiply(_s19, _s12, _r8), _r8), _r8)
+    _s26 = _k72 * _add(_add(_s22, _multiply(_s14, _s24, _r3), _r3), _add(_s22, _multiply(_s25, _s15, _r12), _r12), _r12)
     _s27 = _multiply(_s18, _s25, _r8)
     _s28 = _multiply(_s20, _s24, _r6)
     _s29 = _add(_s27, _s28, _r12)
-    _s30 = _add(_s29, _add(_s27, _multiply(_s15, _multiply(_k48, _multiply(_k89, _multiply(_s19, _s19, _r10), _r10), _r10), _r10), _r10), _r10)
-    _s31 = _add(_add(_multiply(_s26, _s17, _r1), _multiply(_multiply(_s23, _s21, _r4), _s15, _r4), _r4), _multiply(_k48, _add(_add(_multiply(_multiply(_s18, _s18, _r1), _s16, _r1), _multiply(_multiply(_s18, _s21, _r5), _s15, _r5), _r5), _multiply(_multiply(_s16, _s24, _r11), _s15, _r11), _r11), _r11), _r11)
-    _s32 = _k71 * _add(_s30, _add(_s29, _add(_multiply(_s14, _negative(_s31, _r11), _r11), _s28, _r11), _r11), _r11)
+    _s30 = _add(_s29, _add(_s27, _multiply(_s15, _multiply(_k49, _multiply(_k90, _multiply(_s19, _s19, _r10), _r10), _r10), _r10), _r10), _r10)
+    _s31 = _add(_add(_multiply(_s26, _s17, _r1), _multiply(_multiply(_s23, _s21, _r4), _s15, _r4), _r4), _multiply(_k49, _add(_add(_multiply(_multiply(_s18, _s18, _r1), _s16, _r1), _multiply(_multiply(_s18, _s21, _r5), _s15, _r5), _r5), _multiply(_multiply(_s16, _s24, _r11), _s15, _r11), _r11), _r11), _r11)
+    _s32 = _k72 * _add(_s30, _add(_s29, _add(_multiply(_s14, _negative(_s31, _r11), _r11), _s28, _r11), _r11), _r11)
     return _s21, _s26, _s32
 
 
@@ -5682,9 +5683,9 @@ def backboard_around(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: 
     _s10 = _subtract(_sqrt(((_s5 * _s5) + (_s8 * _s8))), _s9, _r2)
     _s11 = _select(_k4 < _s10, _s10, _k4, _r5)
     _s12 = _sqrt(_add(_multiply(_s2, _s2, _r6), _multiply(_s11, _s11, _r7), _r7), _r7)
-    _s13 = _negative(_multiply(_multiply(_k71, _add(_multiply(_multiply(_k48, x, _r6), vx, _r6), _multiply(_multiply(_k48, y, _r8), vy, _r8), _r8), _r8), _divide(_k39, _s9, _r4), _r8), _r8)
-    _s14 = _add(_multiply(_multiply(_k48, _subtract(_select(_s0 < _k4, _k4, vz, _r0), _select(_s1 < _k4, _k4, _negative(vz, _r1), _r4), _r4), _r4), _s2, _r4), _multiply(_multiply(_k48, _s11, _r5), _select(_k4 < _s10, _s13, _k4, _r2), _r5), _r5)
-    return _s12 - p_ball_radius, _multiply(_k71, _s14, _r5) / _s12
+    _s13 = _negative(_multiply(_multiply(_k72, _add(_multiply(_multiply(_k49, x, _r6), vx, _r6), _multiply(_multiply(_k49, y, _r8), vy, _r8), _r8), _r8), _divide(_k39, _s9, _r4), _r8), _r8)
+    _s14 = _add(_multiply(_multiply(_k49, _subtract(_select(_s0 < _k4, _k4, vz, _r0), _select(_s1 < _k4, _k4, _negative(vz, _r1), _r4), _r4), _r4), _s2, _r4), _multiply(_multiply(_k49, _s11, _r5), _select(_k4 < _s10, _s13, _k4, _r2), _r5), _r5)
+    return _s12 - p_ball_radius, _multiply(_k72, _s14, _r5) / _s12
 
 
 def backboard_enter(t: Any, end: Any, after: Any, low0: Any, low1: Any, high0: Any, high1: Any) -> tuple[Any, ...]:
@@ -5726,7 +5727,7 @@ def bridge_curvature(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     Table 2. 61 operations: 11 additions, 4 subtractions, 8 multiplications, 1 division, 2 negations, 9 absolute values, 13 comparisons, 13 selections.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9 = _room[:10]
-    _s0 = _multiply(_k48, t, _r0)
+    _s0 = _multiply(_k49, t, _r0)
     _s1 = _absolute(dvx, _r1)
     _s2 = _absolute(dvy, _r2)
     _s3 = _select(_s1 < _s2, _s2, _s1, _r3)
@@ -5735,7 +5736,7 @@ def bridge_curvature(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s6 = _absolute(dy, _r6)
     _s7 = _select(_s5 < _s6, _s6, _s5, _r7)
     _s8 = _absolute(dz, _r8)
-    _s9 = _multiply(_k63, _add(_multiply(t, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _select(_s7 < _s8, _s8, _s7, _r4), _r4), _r4)
+    _s9 = _multiply(_k64, _add(_multiply(t, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _select(_s7 < _s8, _s8, _s7, _r4), _r4), _r4)
     _s10 = _subtract(z, p_wire_radius, _r8)
     _s11 = _subtract(p_wire_radius - p_bridge_depth, z, _r7)
     _s12 = _add(_add(_add(_multiply(p_gravity, _multiply(t, t, _r6), _r6), _multiply(_s0, _absolute(vz, _r5), _r5), _r5), _s9, _r5), _select(_s10 < _s11, _s11, _s10, _r6), _r6)
@@ -5761,12 +5762,12 @@ def bridge_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, n
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _halves(_room[:18])
     _s0 = _sqrt(_add(_multiply(nx, nx, _r0), _multiply(ny, ny, _r1), _r1), _r1)
     _s1 = _k26 < _s0
-    _s2 = _divide(_k139, _s0, _r1)
+    _s2 = _divide(_k140, _s0, _r1)
     _s3 = _subtract(z, p_wire_radius, _r0)
     _s4 = p_wire_radius - p_bridge_depth
     _s5 = _subtract(_s4, z, _r2)
     _s6 = _absolute(_subtract(_select(_s3 < _k26, _k26, _s3, _r3), _select(_s5 < _k26, _k26, _s5, _r4), _r4), _r4)
-    _s7 = _k141 / p_ball_radius
+    _s7 = _k142 / p_ball_radius
     _s8 = _add(p_ring_radius, x, _r2)
     _s9 = _negative(_add(p_board_distance, x, _r3), _r3)
     _s10 = _absolute(_subtract(_select(_s8 < _k26, _k26, _s8, _r5), _select(_s9 < _k26, _k26, _s9, _r6), _r6), _r6)
@@ -5784,10 +5785,10 @@ def bridge_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, n
     _s22 = _select(_s18 < _s21, _s18, _s21, _r12)
     _s23 = _select(_s17 < _s22, _s17, _s22, _r13)
     _s24 = _select(_s16 < _s23, _s16, _s23, _r14)
-    _s25 = _k160 * ((((p_ring_radius + (_k33 * p_wire_radius)) + p_board_distance) + (_k33 * p_bridge_half_width)) + p_bridge_depth)
+    _s25 = _k161 * ((((p_ring_radius + (_k33 * p_wire_radius)) + p_board_distance) + (_k33 * p_bridge_half_width)) + p_bridge_depth)
     _s26 = _subtract(_select(_s15 < _s24, _s15, _s24, _r15), _s25, _r15)
     _s27 = _select(_s7 < _s14, _s14, _s7, _r14)
-    _s28 = _divide(_k139, _multiply(_k266, _s26, _r13), _r13)
+    _s28 = _divide(_k140, _multiply(_k267, _s26, _r13), _r13)
     _s29 = _add(_k21, _multiply(_k22, _multiply(t, _absolute(normal_velocity, _r12), _r12), _r12), _r12)
     _s30 = _multiply(t, t, _r11)
     _s31 = _absolute(vx, _r10)
@@ -5800,19 +5801,19 @@ def bridge_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, n
     _s38 = _add(_add(_k21, _multiply(_k22, _add(_multiply(_s34, _s32, _r9), _absolute(y, _r3), _r3), _r3), _r3), _multiply(_k19, _s37, _r9), _r9)
     _s39 = _k20 * p_gravity
     _s40 = _add(_add(_multiply(_s39, _s30, _r11), _multiply(_s34, _absolute(_add(vz, _multiply(_s39, t, _r3), _r3), _r3), _r3), _r3), _absolute(z, _r11), _r11)
-    _s41 = _add((_k32 * p_wire_radius) + (_k267 * p_bridge_depth), _multiply(_k22, _s6, _r3), _r3)
+    _s41 = _add((_k32 * p_wire_radius) + (_k268 * p_bridge_depth), _multiply(_k22, _s6, _r3), _r3)
     _s42 = _add(_add(_k21, _multiply(_k22, _s40, _r11), _r11), _multiply(_k19, _s41, _r8), _r8)
-    _s43 = _add(_multiply(_multiply(_s7, _s33, _r11), _add(_add(_s36, _s38, _r0), _s42, _r0), _r11), _multiply(_k268, _s33, _r2), _r2)
-    _s44 = _multiply(_k142, _s43, _r11)
-    _s45 = _multiply(_k169, _multiply(p_ball_radius, _divide(_multiply(normal_velocity, normal_velocity, _r0), _add(_add(_multiply(vx, vx, _r16), _multiply(vy, vy, _r17), _r17), _multiply(vz, vz, _r16), _r16), _r16), _r16), _r16)
+    _s43 = _add(_multiply(_multiply(_s7, _s33, _r11), _add(_add(_s36, _s38, _r0), _s42, _r0), _r11), _multiply(_k269, _s33, _r2), _r2)
+    _s44 = _multiply(_k143, _s43, _r11)
+    _s45 = _multiply(_k170, _multiply(p_ball_radius, _divide(_multiply(normal_velocity, normal_velocity, _r0), _add(_add(_multiply(vx, vx, _r16), _multiply(vy, vy, _r17), _r17), _multiply(vz, vz, _r16), _r16), _r16), _r16), _r16)
     _s46 = _add(_add(_s29, _s43, _r2), _select(_s44 < _s45, _s45, _s44, _r0), _r0)
-    _s47 = _add(_k269 * p_ball_radius, _add(_add(_multiply(_absolute(nx, _r11), _s36, _r11), _multiply(_absolute(ny, _r10), _s38, _r10), _r10), _multiply(_absolute(nz, _r11), _s42, _r11), _r11), _r11)
-    _s48 = _multiply(_k142, _s47, _r10)
+    _s47 = _add(_k270 * p_ball_radius, _add(_add(_multiply(_absolute(nx, _r11), _s36, _r11), _multiply(_absolute(ny, _r10), _s38, _r10), _r10), _multiply(_absolute(nz, _r11), _s42, _r11), _r11), _r11)
+    _s48 = _multiply(_k143, _s47, _r10)
     _s49 = _add(_add(_s29, _s47, _r11), _select(_s48 < _s45, _s45, _s48, _r12), _r12)
     _s50 = _add(place_n, _s49, _r10)
     _s51 = _k26 < back
     _s52 = _add(place_n, _s46, _r11)
-    return _result(_s1, _negative(_multiply(ny, _s2, _r16), _r16), _k26, _r0), _result(_s1, _multiply(nx, _s2, _r1), _k139, _r0), _result(_logical_and((_k26 < _s6), _s1), _s7, _k26, _r0), _s14, _result(_k26 < _s26, _select(_s27 < _s28, _s28, _s27, _r15), _k27, _r0), _result(_s51, _select(_s46 < _s50, _s50, _s46, _r15), _s49, _r0), _result(_s51, _select(_s52 < _s49, _s49, _s52, _r15), _s49, _r0), _k270 + _multiply(_k33 * _s7, _add(_add(_s41, _s35, _r3), _s37, _r3), _r3)
+    return _result(_s1, _negative(_multiply(ny, _s2, _r16), _r16), _k26, _r0), _result(_s1, _multiply(nx, _s2, _r1), _k140, _r0), _result(_logical_and((_k26 < _s6), _s1), _s7, _k26, _r0), _s14, _result(_k26 < _s26, _select(_s27 < _s28, _s28, _s27, _r15), _k27, _r0), _result(_s51, _select(_s46 < _s50, _s50, _s46, _r15), _s49, _r0), _result(_s51, _select(_s52 < _s49, _s49, _s52, _r15), _s49, _r0), _k271 + _multiply(_k33 * _s7, _add(_add(_s41, _s35, _r3), _s37, _r3), _r3)
 
 
 def bridge_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any, change_board_distance: Any, change_bridge_half_width: Any, change_bridge_depth: Any) -> tuple[Any, ...]:
@@ -5877,10 +5878,10 @@ def bridge_carry_normal(x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, shift
     _s12 = _select(_s10 < _s11, _s11, _s10, _r11)
     _s13 = _subtract(_select(_s4 < _k4, _k4, dz, _r12), _select(_s5 < _k4, _k4, _negative(dz, _r13), _r14), _r14)
     _s14 = _subtract(_select(_s7 < _k4, _k4, dy, _r13), _select(_s8 < _k4, _k4, _negative(dy, _r12), _r15), _r15)
-    _s15 = _multiply(_multiply(_k71, _add(_add(_multiply(_multiply(_k48, _s2, _r12), _s3, _r12), _multiply(_multiply(_k48, _s13, _r13), _s6, _r13), _r13), _multiply(_multiply(_k48, _s14, _r12), _s9, _r12), _r12), _r12), _divide(_k39, _s10, _r13), _r12)
+    _s15 = _multiply(_multiply(_k72, _add(_add(_multiply(_multiply(_k49, _s2, _r12), _s3, _r12), _multiply(_multiply(_k49, _s13, _r13), _s6, _r13), _r13), _multiply(_multiply(_k49, _s14, _r12), _s9, _r12), _r12), _r12), _divide(_k39, _s10, _r13), _r12)
     _s16 = _select(_s10 < _s11, _k4, _s15, _r13)
     _s17 = _multiply(_s12, _s12, _r16)
-    _s18 = _multiply(_k63, shift, _r17)
+    _s18 = _multiply(_k64, shift, _r17)
     _s19 = _add(_s18, _select(_s4 < _s5, _s5, _s4, _r18), _r18)
     _s20 = _add(_s18, _select(_s0 < _s1, _s1, _s0, _r5), _r5)
     _s21 = _select(_s19 < _s20, _s20, _s19, _r1)
@@ -5891,10 +5892,10 @@ def bridge_carry_normal(x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, shift
     return _divide(_s2, _s12, _r4) - _divide(_multiply(_s3, _s16, _r2), _s17, _r2), _divide(_s14, _s12, _r15) - _divide(_multiply(_s9, _s16, _r10), _s17, _r10), _divide(_s13, _s12, _r14) - _divide(_multiply(_s6, _s16, _r13), _s17, _r13), shift * _select(_select(_s21 < _s25, _s21, _s25, _r13) < _k4, _k4, 1.0 / p_ball_radius, _r13)
 
 
-def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, earliest_delay: Any, pad: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Constants and windows of the search along a flight, and its error budget.
 
-    bounds of the event condition. 135 operations: 27 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections.
+    bounds of the event condition. 142 operations: 29 additions, 10 subtractions, 31 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 26 comparisons, 28 selections.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22 = _room[:23]
     _s0 = _absolute(vx, _r0)
@@ -5931,7 +5932,7 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     _s31 = _select(_s21 < _s30, _s30, _s21, _r16)
     _s32 = _add(_s22, _multiply(_s25, _subtract(_s24, _s23, _r12), _r12), _r12)
     _s33 = _sqrt(_select(_s32 < _k4, _k4, _s32, _r11), _r11)
-    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k180, _r17)
+    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k181, _r17)
     _s35 = _k4 < _s32
     _s36 = _select(_s35, _multiply(_s27, _subtract(vz, _s33, _r12), _r12), _s34, _r18)
     _s37 = _divide(_subtract(_s18, _s19, _r8), _s17, _r8)
@@ -5946,12 +5947,12 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     _s46 = _select(_s45 < _s44, _s44, _s45, _r21)
     _s47 = _result(_s46 < horizon, _s46, horizon, _r0)
     _s48 = _add(speed, _multiply(p_gravity, _s47, _r21), _r21)
-    _s49 = _k48 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k89, _multiply(_s48, _s48, _r21), _r21), _r21)
+    _s49 = _k49 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(_k90, _multiply(_s48, _s48, _r21), _r21), _r21)
     _s50 = _where(_s7 < _s5, _s5, _s7)
     _s51 = _add(_add(_add(_s12, extent, _r21), _absolute((_s3 - p_wire_radius)), _r21), _where(_s50 < _s4, _s4, _s50), _r21)
-    _s52 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s27, _add(_s51, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k48, speed, _r22), _s27, _r22), _r22)
-    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k182, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
-    return _result(_k4 < _s31, _s31, _k4, _r0), _result(_s41 < horizon, _s41, horizon, _r0), _result(_k4 < _s43, _s43, _k4, _r0), _result(_s44 < horizon, _s44, horizon, _r0), _s49, _s47, _s53
+    _s52 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s27, _add(_s51, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k49, speed, _r22), _s27, _r22), _r22)
+    _s53 = _add(_add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k183, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22), _select(_multiply(_k49, pad, _r20) < earliest_delay, _multiply(earliest_delay, _add(speed, _multiply(p_gravity, horizon, _r20), _r20), _r20), _k4, _r21), _r21)
+    return _result(_k4 < _s31, _s31, _k4, _r0), _result(_s41 < horizon, _s41, horizon, _r0), _result(_k4 < _s43, _s43, _k4, _r0), _result(_s44 < horizon, _s44, horizon, _r0), _s49, _s47, _s53 - (1.52587890625e-05 * _s9)
 
 
 def bridge_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -5967,17 +5968,17 @@ def bridge_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, v
     _s4 = p_ball_radius + (0.0001220703125 * _where(_s0 < _s3, _s0, _s3))
     _s5 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s6 = _add(extent, _multiply(horizon, _s5, _r1), _r1)
-    _s7 = _multiply(_k61, _s6, _r2)
-    _s8 = _multiply(_k48, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k14, _s6, _r4), _r4), _r4)
+    _s7 = _multiply(_k62, _s6, _r2)
+    _s8 = _multiply(_k49, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k14, _s6, _r4), _r4), _r4)
     _s9 = _add(_add(3.3306690738754696e-16 * p_bridge_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
     _s11 = _add(_add((1.1102230246251565e-16 * p_ring_radius) + (1.1102230246251565e-16 * p_board_distance), _s7, _r2), _s8, _r2)
-    _s12 = _add(_add((5.551115123125783e-16 * p_wire_radius) + (2.220446049250313e-16 * p_bridge_depth), _multiply(_k275, _s6, _r1), _r1), _s8, _r1)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k276, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k277, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k275, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k278, _s5, _r6)
-    _s17 = _add(_add(_add(_multiply(2.667137344314341e-15 * _s4, _s5, _r8), _multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k61, _s5, _r0), _r0), _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r2), _r2)
+    _s12 = _add(_add((5.551115123125783e-16 * p_wire_radius) + (2.220446049250313e-16 * p_bridge_depth), _multiply(_k276, _s6, _r1), _r1), _s8, _r1)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k277, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k278, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k276, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k279, _s5, _r6)
+    _s17 = _add(_add(_add(_multiply(2.667137344314341e-15 * _s4, _s5, _r8), _multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k62, _s5, _r0), _r0), _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r2), _r2)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
 
@@ -6001,7 +6002,7 @@ def bridge_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s11 = p_wire_radius - p_bridge_depth
     _s12 = _subtract(_s11, _s9, _r1)
     _s13 = _subtract(_select(_s10 < _k4, _k4, _s10, _r5), _select(_s12 < _k4, _k4, _s12, _r6), _r6)
-    _s14 = _k48 * _add(_add(_multiply(vx, _s3, _r1), _multiply(vy, _s7, _r5), _r5), _multiply(_subtract(vz, _multiply(p_gravity, t, _r1), _r1), _s13, _r1), _r1)
+    _s14 = _k49 * _add(_add(_multiply(vx, _s3, _r1), _multiply(vy, _s7, _r5), _r5), _multiply(_subtract(vz, _multiply(p_gravity, t, _r1), _r1), _s13, _r1), _r1)
     _s15 = _add(p_ring_radius, x, _r1)
     _s16 = _negative(_add(p_board_distance, x, _r5), _r5)
     _s17 = _subtract(_select(_s15 < _k4, _k4, _s15, _r2), _select(_s16 < _k4, _k4, _s16, _r7), _r7)
@@ -6054,9 +6055,9 @@ def bridge_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any
     _s26 = _add(_add(_select(_k4 < _multiply(_s2, _s6, _r7), _multiply(t, _multiply(vx, _add(_s2, _s6, _r7), _r7), _r7), _subtract(_s7, _multiply(_s2, _s2, _r3), _r3), _r9), _select(_k4 < _multiply(_s11, _s16, _r12), _multiply(t, _multiply(_s12, _add(_s11, _s16, _r12), _r12), _r12), _subtract(_s17, _multiply(_s11, _s11, _r6), _r6), _r2), _r2), _select(_k4 < _multiply(_s20, _s24, _r6), _multiply(t, _multiply(vy, _add(_s20, _s24, _r6), _r6), _r6), _subtract(_s25, _multiply(_s20, _s20, _r10), _r10), _r12), _r12)
     _s27 = _result(_k4 < leaving, _s26, _subtract(_add(_add(_s7, _s17, _r5), _s25, _r5), p_ball_radius * p_ball_radius, _r5), _r0)
     _s28 = _subtract(vz, _multiply(p_gravity, t, _r0), _r0)
-    _s29 = _k48 * _add(_add(_multiply(vx, _s6, _r1), _multiply(vy, _s24, _r10), _r10), _multiply(_s28, _s16, _r1), _r1)
+    _s29 = _k49 * _add(_add(_multiply(vx, _s6, _r1), _multiply(vy, _s24, _r10), _r10), _multiply(_s28, _s16, _r1), _r1)
     _s30 = _absolute(_s16, _r1)
-    _s31 = _k48 * _add(_add(_select(_k4 < _absolute(_s6, _r4), _multiply(vx, vx, _r4), _k4, _r10), _select(_k4 < _s30, _subtract(_multiply(_s28, _s28, _r6), _multiply(p_gravity, _s16, _r8), _r8), _k4, _r6), _r6), _select(_k4 < _absolute(_s24, _r11), _multiply(vy, vy, _r11), _k4, _r8), _r8)
+    _s31 = _k49 * _add(_add(_select(_k4 < _absolute(_s6, _r4), _multiply(vx, vx, _r4), _k4, _r10), _select(_k4 < _s30, _subtract(_multiply(_s28, _s28, _r6), _multiply(p_gravity, _s16, _r8), _r8), _k4, _r6), _r6), _select(_k4 < _absolute(_s24, _r11), _multiply(vy, vy, _r11), _k4, _r8), _r8)
     _s32 = _absolute((-p_gravity))
     _s33 = p_ball_radius + (0.5 * p_bridge_depth)
     _s34 = p_ball_radius + p_bridge_half_width
@@ -6068,18 +6069,18 @@ def bridge_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any
     _s40 = _select(_s39 < _k4, _k4, _s39, _r12)
     _s41 = _negative(_s31, _r11)
     _s42 = _s38 < _k4
-    _s43 = _multiply(_k48, _s40, _r6)
-    _s44 = _select(_k4 < _select(_k4 <= _s38, _s40, _k4, _r10), _k5, _divide(_select(_s42, _s43, _multiply(_k90, _s38, _r10), _r4), _select(_s42, _negative(_s38, _r2), _select(_k4 < _s41, _s41, _k4, _r9), _r3), _r4), _r10)
+    _s43 = _multiply(_k49, _s40, _r6)
+    _s44 = _select(_k4 < _select(_k4 <= _s38, _s40, _k4, _r10), _k5, _divide(_select(_s42, _s43, _multiply(_k91, _s38, _r10), _r4), _select(_s42, _negative(_s38, _r2), _select(_k4 < _s41, _s41, _k4, _r9), _r3), _r4), _r10)
     _s45 = _subtract(end, t, _r3)
     _s46 = _select(_s44 < _s45, _s44, _s45, _r9)
     _s47 = _add(_multiply(_add(_multiply(0.5 * _s32, _s46, _r11), _absolute(_s28, _r0), _r0), _s46, _r0), _s30, _r0)
-    _s48 = _add(_multiply(_k115, ceiling, _r1), _multiply(_k48, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
-    _s49 = _add(_multiply(_multiply(_k48, _s48, _r1), _s40, _r1), _multiply(_s38, _s38, _r12), _r12)
+    _s48 = _add(_multiply(_k116, ceiling, _r1), _multiply(_k49, _multiply(_s32, _select(_s37 < _s47, _s37, _s47, _r11), _r11), _r11), _r11)
+    _s49 = _add(_multiply(_multiply(_k49, _s48, _r1), _s40, _r1), _multiply(_s38, _s38, _r12), _r12)
     _s50 = _sqrt(_s49, _r1)
     _s51 = _select(_k4 <= _s49, _divide(_select(_s42, _s43, _add(_s38, _s50, _r12), _r5), _select(_s42, _subtract(_s50, _s38, _r1), _select(_k4 < _s48, _s48, _k4, _r8), _r0), _r5), _k5, _r12)
     _s52 = _result(_s51 < _s46, _s51, _s46, _r0)
     _s53 = _negative(_add(rate_margin, _s29, _r0), _r0)
-    return _s27, _s29, _s31, _s52, t + _s52, _result(_k4 < _s53, _subtract(_multiply(_s53, _s53, _r12), _multiply(_multiply(_k51, ceiling, _r5), _add(margin, _s43, _r6), _r5), _r5), _s53, _r0)
+    return _s27, _s29, _s31, _s52, t + _s52, _result(_k4 < _s53, _subtract(_multiply(_s53, _s53, _r12), _multiply(_multiply(_k52, ceiling, _r5), _add(margin, _s43, _r6), _r5), _r5), _s53, _r0)
 
 
 def bridge_near(middle_x: Any, middle_y: Any, middle_z: Any, reach_x: Any, reach_y: Any, reach_z: Any, later_middle_x: Any, later_middle_y: Any, later_middle_z: Any, later_reach_x: Any, later_reach_y: Any, later_reach_z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -6130,13 +6131,13 @@ def bridge_approaches(leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: An
     _s7 = _negative(_add(p_bridge_half_width, y, _r0), _r0)
     _s8 = _subtract(_select(_s6 < _k4, _k4, _s6, _r1), _select(_s7 < _k4, _k4, _s7, _r5), _r5)
     _s9 = _add(_add(_absolute(_s2, _r0), _absolute(_s5, _r1), _r1), _absolute(_s8, _r0), _r0)
-    _s10 = _add(position_error, _multiply(_k78, _add(extent, _s9, _r1), _r1), _r1)
-    _s11 = _logical_and(_logical_or((_k39 <= leaving), (_add(p_ball_radius * p_ball_radius, _multiply(_k90, _multiply(_s10, _s9, _r2), _r2), _r2) < _add(_add(_multiply(_s2, _s2, _r6), _multiply(_s5, _s5, _r7), _r7), _multiply(_s8, _s8, _r6), _r6))), (earliest_delay <= pad))
-    _s12 = _multiply(_k90, _add(_multiply(velocity_error, _s9, _r0), _multiply(_s10, _add(velocity_error, _add(speed, _multiply(p_gravity, horizon, _r6), _r6), _r6), _r6), _r6), _r6)
+    _s10 = _add(position_error, _multiply(_k79, _add(extent, _s9, _r1), _r1), _r1)
+    _s11 = _logical_and(_logical_or((_k39 <= leaving), (_add(p_ball_radius * p_ball_radius, _multiply(_k91, _multiply(_s10, _s9, _r2), _r2), _r2) < _add(_add(_multiply(_s2, _s2, _r6), _multiply(_s5, _s5, _r7), _r7), _multiply(_s8, _s8, _r6), _r6))), (earliest_delay <= pad))
+    _s12 = _multiply(_k91, _add(_multiply(velocity_error, _s9, _r0), _multiply(_s10, _add(velocity_error, _add(speed, _multiply(p_gravity, horizon, _r6), _r6), _r6), _r6), _r6), _r6)
     _s13 = _subtract(_add(_add(_multiply(vx, _s2, _r3), _multiply(vy, _s8, _r5), _r5), _multiply(vz, _s5, _r3), _r3), _s12, _r6)
-    _s14 = _multiply(_multiply(_k71, horizon, _r3), _negative(_multiply(p_gravity, _s5, _r4), _r4), _r3)
+    _s14 = _multiply(_multiply(_k72, horizon, _r3), _negative(_multiply(p_gravity, _s5, _r4), _r4), _r3)
     _s15 = _select(_s14 < _k4, _s14, _k4, _r4)
-    _s16 = _logical_or(_logical_not(_logical_and(_logical_and(_s11, (position_error <= _multiply(_k288, extent, _r5))), (velocity_error <= _multiply(_k288, speed, _r5)))), _logical_or(_logical_and(first_near, (_add(_s13, _multiply(_k71, _s15, _r5), _r5) <= _k4)), _logical_and(later_near, (_add(_s13, _s15, _r4) <= _k4))))
+    _s16 = _logical_or(_logical_not(_logical_and(_logical_and(_s11, (position_error <= _multiply(_k289, extent, _r5))), (velocity_error <= _multiply(_k289, speed, _r5)))), _logical_or(_logical_and(first_near, (_add(_s13, _multiply(_k72, _s15, _r5), _r5) <= _k4)), _logical_and(later_near, (_add(_s13, _s15, _r4) <= _k4))))
     return _s16,
 
 
@@ -6156,9 +6157,9 @@ def bridge_beside(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any
     _s7 = _negative(_add(p_bridge_half_width, y, _r7), _r7)
     _s8 = _subtract(_select(_s6 < _k4, _k4, _s6, _r8), _select(_s7 < _k4, _k4, _s7, _r9), _r9)
     _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8), _r8)
-    _s10 = _add(_multiply(_multiply(_k48, _subtract(_select(_s0 < _k4, _k4, vx, _r0), _select(_s1 < _k4, _k4, _negative(vx, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(_k48, _subtract(_select(_s3 < _k4, _k4, vz, _r2), _select(_s4 < _k4, _k4, _negative(vz, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
-    _s11 = _add(_s10, _multiply(_multiply(_k48, _subtract(_select(_s6 < _k4, _k4, vy, _r5), _select(_s7 < _k4, _k4, _negative(vy, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
-    return _s9 - p_ball_radius, _multiply(_k71, _s11, _r10) / _s9, 0.0
+    _s10 = _add(_multiply(_multiply(_k49, _subtract(_select(_s0 < _k4, _k4, vx, _r0), _select(_s1 < _k4, _k4, _negative(vx, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(_k49, _subtract(_select(_s3 < _k4, _k4, vz, _r2), _select(_s4 < _k4, _k4, _negative(vz, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
+    _s11 = _add(_s10, _multiply(_multiply(_k49, _subtract(_select(_s6 < _k4, _k4, vy, _r5), _select(_s7 < _k4, _k4, _negative(vy, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
+    return _s9 - p_ball_radius, _multiply(_k72, _s11, _r10) / _s9, 0.0
 
 
 def bridge_closing(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, nx: Any, ny: Any, nz: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, rolling_acceleration_x: Any, rolling_acceleration_y: Any, rolling_acceleration_z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -6186,16 +6187,16 @@ def bridge_closing(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: An
     _s16 = _s6 < _k4
     _s17 = _s7 < _k4
     _s18 = _subtract(_select(_s16, _k4, rolled_y, _r7), _select(_s17, _k4, _negative(rolled_y, _r5), _r2), _r2)
-    _s19 = _add(_add(_multiply(_multiply(_k48, _s12, _r5), _s2, _r5), _multiply(_multiply(_k48, _s15, _r7), _s5, _r7), _r7), _multiply(_multiply(_k48, _s18, _r5), _s8, _r5), _r5)
+    _s19 = _add(_add(_multiply(_multiply(_k49, _s12, _r5), _s2, _r5), _multiply(_multiply(_k49, _s15, _r7), _s5, _r7), _r7), _multiply(_multiply(_k49, _s18, _r5), _s8, _r5), _r5)
     _s20 = _divide(_k39, _s9, _r7)
-    _s21 = _multiply(_k71, _s19, _r4) * _s20
-    _s22 = _multiply(_k48, _add(_multiply(_subtract(_select(_s10, _k4, rolling_acceleration_x, _r4), _select(_s11, _k4, _negative(rolling_acceleration_x, _r1), _r11), _r11), _s2, _r11), _multiply(_s12, _s12, _r10), _r10), _r10)
-    _s23 = _multiply(_k48, _add(_multiply(_subtract(_select(_s13, _k4, rolling_acceleration_z, _r11), _select(_s14, _k4, _negative(rolling_acceleration_z, _r1), _r4), _r4), _s5, _r4), _multiply(_s15, _s15, _r0), _r0), _r0)
-    _s24 = _multiply(_k48, _add(_multiply(_subtract(_select(_s16, _k4, rolling_acceleration_y, _r4), _select(_s17, _k4, _negative(rolling_acceleration_y, _r1), _r11), _r11), _s8, _r11), _multiply(_s18, _s18, _r2), _r2), _r2)
-    _s25 = _k71 * _add(_multiply(_negative(_multiply(_s21, _multiply(_s20, _s20, _r11), _r11), _r11), _s19, _r11), _multiply(_add(_add(_s22, _s23, _r0), _s24, _r2), _s20, _r2), _r2)
-    _s26 = _add(_multiply(_multiply(_k48, _subtract(_select(_s10, _k4, nx, _r2), _select(_s11, _k4, _negative(nx, _r11), _r0), _r0), _r0), _s2, _r0), _multiply(_multiply(_k48, _subtract(_select(_s13, _k4, nz, _r3), _select(_s14, _k4, _negative(nz, _r11), _r2), _r2), _r2), _s5, _r2), _r2)
-    _s27 = _add(_s26, _multiply(_multiply(_k48, _subtract(_select(_s16, _k4, ny, _r0), _select(_s17, _k4, _negative(ny, _r6), _r11), _r11), _r11), _s8, _r11), _r11)
-    return _s9 - p_ball_radius, _s21, _s25, _multiply(_k71, _s27, _r11) * _s20
+    _s21 = _multiply(_k72, _s19, _r4) * _s20
+    _s22 = _multiply(_k49, _add(_multiply(_subtract(_select(_s10, _k4, rolling_acceleration_x, _r4), _select(_s11, _k4, _negative(rolling_acceleration_x, _r1), _r11), _r11), _s2, _r11), _multiply(_s12, _s12, _r10), _r10), _r10)
+    _s23 = _multiply(_k49, _add(_multiply(_subtract(_select(_s13, _k4, rolling_acceleration_z, _r11), _select(_s14, _k4, _negative(rolling_acceleration_z, _r1), _r4), _r4), _s5, _r4), _multiply(_s15, _s15, _r0), _r0), _r0)
+    _s24 = _multiply(_k49, _add(_multiply(_subtract(_select(_s16, _k4, rolling_acceleration_y, _r4), _select(_s17, _k4, _negative(rolling_acceleration_y, _r1), _r11), _r11), _s8, _r11), _multiply(_s18, _s18, _r2), _r2), _r2)
+    _s25 = _k72 * _add(_multiply(_negative(_multiply(_s21, _multiply(_s20, _s20, _r11), _r11), _r11), _s19, _r11), _multiply(_add(_add(_s22, _s23, _r0), _s24, _r2), _s20, _r2), _r2)
+    _s26 = _add(_multiply(_multiply(_k49, _subtract(_select(_s10, _k4, nx, _r2), _select(_s11, _k4, _negative(nx, _r11), _r0), _r0), _r0), _s2, _r0), _multiply(_multiply(_k49, _subtract(_select(_s13, _k4, nz, _r3), _select(_s14, _k4, _negative(nz, _r11), _r2), _r2), _r2), _s5, _r2), _r2)
+    _s27 = _add(_s26, _multiply(_multiply(_k49, _subtract(_select(_s16, _k4, ny, _r0), _select(_s17, _k4, _negative(ny, _r6), _r11), _r11), _r11), _s8, _r11), _r11)
+    return _s9 - p_ball_radius, _s21, _s25, _multiply(_k72, _s27, _r11) * _s20
 
 
 def bridge_distance(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -6262,7 +6263,7 @@ def bridge_turning(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: An
     _s12 = _select(_s10 < _s11, _s11, _s10, _r9)
     _s13 = _subtract(_select(_s4 < _k4, _k4, rolled_z, _r3), _select(_s5 < _k4, _k4, _negative(rolled_z, _r1), _r10), _r10)
     _s14 = _subtract(_select(_s7 < _k4, _k4, rolled_y, _r0), _select(_s8 < _k4, _k4, _negative(rolled_y, _r6), _r1), _r1)
-    _s15 = _multiply(_multiply(_k71, _add(_add(_multiply(_multiply(_k48, _s2, _r6), _s3, _r6), _multiply(_multiply(_k48, _s13, _r0), _s6, _r0), _r0), _multiply(_multiply(_k48, _s14, _r6), _s9, _r6), _r6), _r6), _divide(_k39, _s10, _r0), _r6)
+    _s15 = _multiply(_multiply(_k72, _add(_add(_multiply(_multiply(_k49, _s2, _r6), _s3, _r6), _multiply(_multiply(_k49, _s13, _r0), _s6, _r0), _r0), _multiply(_multiply(_k49, _s14, _r6), _s9, _r6), _r6), _r6), _divide(_k39, _s10, _r0), _r6)
     _s16 = _select(_s10 < _s11, _k4, _s15, _r0)
     _s17 = _multiply(_s12, _s12, _r3)
     return _divide(_s2, _s12, _r4) - _divide(_multiply(_s3, _s16, _r2), _s17, _r2), _divide(_s14, _s12, _r1) - _divide(_multiply(_s9, _s16, _r8), _s17, _r8), _divide(_s13, _s12, _r10) - _divide(_multiply(_s6, _s16, _r0), _s17, _r0)
@@ -6288,25 +6289,25 @@ def bridge_separation(p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_
     _s11 = _negative(_add(p_bridge_half_width, y, _r1), _r1)
     _s12 = _subtract(_select(_s10 < _k4, _k4, vy, _r3), _select(_s11 < _k4, _k4, _negative(vy, _r7), _r8), _r8)
     _s13 = _subtract(_select(_s10 < _k4, _k4, _s10, _r7), _select(_s11 < _k4, _k4, _s11, _r3), _r3)
-    _s14 = _add(_add(_multiply(_multiply(_k48, _s2, _r7), _s3, _r7), _multiply(_multiply(_k48, _s8, _r1), _s9, _r1), _r1), _multiply(_multiply(_k48, _s12, _r7), _s13, _r7), _r7)
+    _s14 = _add(_add(_multiply(_multiply(_k49, _s2, _r7), _s3, _r7), _multiply(_multiply(_k49, _s8, _r1), _s9, _r1), _r1), _multiply(_multiply(_k49, _s12, _r7), _s13, _r7), _r7)
     _s15 = _divide(_k39, _sqrt(_add(_add(_multiply(_s3, _s3, _r2), _multiply(_s9, _s9, _r1), _r1), _multiply(_s13, _s13, _r3), _r3), _r3), _r3)
-    _s16 = _multiply(_multiply(_k71, _s14, _r1), _s15, _r1)
+    _s16 = _multiply(_multiply(_k72, _s14, _r1), _s15, _r1)
     _s17 = _multiply(_s15, _s15, _r2)
     _s18 = _negative(_multiply(_s16, _s17, _r5), _r5)
     _s19 = _subtract(_select(_s5, _k4, -p_gravity, _r9), _select(_s7, _k4, p_gravity, _r10), _r10)
-    _s20 = _add(_add(_multiply(_k48, _add(_multiply(_s19, _s9, _r0), _multiply(_s8, _s8, _r9), _r9), _r9), _multiply(_k48, _multiply(_s2, _s2, _r4), _r4), _r4), _multiply(_k48, _multiply(_s12, _s12, _r8), _r8), _r8)
-    _s21 = _k71 * _add(_multiply(_s18, _s14, _r4), _multiply(_s20, _s15, _r9), _r9)
+    _s20 = _add(_add(_multiply(_k49, _add(_multiply(_s19, _s9, _r0), _multiply(_s8, _s8, _r9), _r9), _r9), _multiply(_k49, _multiply(_s2, _s2, _r4), _r4), _r4), _multiply(_k49, _multiply(_s12, _s12, _r8), _r8), _r8)
+    _s21 = _k72 * _add(_multiply(_s18, _s14, _r4), _multiply(_s20, _s15, _r9), _r9)
     _s22 = _multiply(_s18, _s20, _r9)
-    _s23 = _multiply(_k48, _s18, _r4)
+    _s23 = _multiply(_k49, _s18, _r4)
     _s24 = _negative(_add(_multiply(_s21, _s17, _r0), _multiply(_multiply(_s23, _s16, _r11), _s15, _r11), _r11), _r11)
-    _s25 = _multiply(_k48, _add(_multiply(_multiply(_k48, _s19, _r0), _s8, _r0), _multiply(_s19, _s8, _r6), _r6), _r6)
-    _s26 = _k71 * _add(_add(_s22, _multiply(_s14, _s24, _r0), _r0), _add(_s22, _multiply(_s25, _s15, _r12), _r12), _r12)
+    _s25 = _multiply(_k49, _add(_multiply(_multiply(_k49, _s19, _r0), _s8, _r0), _multiply(_s19, _s8, _r6), _r6), _r6)
+    _s26 = _k72 * _add(_add(_s22, _multiply(_s14, _s24, _r0), _r0), _add(_s22, _multiply(_s25, _s15, _r12), _r12), _r12)
     _s27 = _multiply(_s18, _s25, _r6)
     _s28 = _multiply(_s20, _s24, _r8)
     _s29 = _add(_s27, _s28, _r12)
-    _s30 = _add(_s29, _add(_s27, _multiply(_s15, _multiply(_k48, _multiply(_k89, _multiply(_s19, _s19, _r10), _r10), _r10), _r10), _r10), _r10)
-    _s31 = _add(_add(_multiply(_s26, _s17, _r2), _multiply(_multiply(_s23, _s21, _r4), _s15, _r4), _r4), _multiply(_k48, _add(_add(_multiply(_multiply(_s18, _s18, _r2), _s16, _r2), _multiply(_multiply(_s18, _s21, _r5), _s15, _r5), _r5), _multiply(_multiply(_s16, _s24, _r11), _s15, _r11), _r11), _r11), _r11)
-    _s32 = _k71 * _add(_s30, _add(_s29, _add(_multiply(_s14, _negative(_s31, _r11), _r11), _s28, _r11), _r11), _r11)
+    _s30 = _add(_s29, _add(_s27, _multiply(_s15, _multiply(_k49, _multiply(_k90, _multiply(_s19, _s19, _r10), _r10), _r10), _r10), _r10), _r10)
+    _s31 = _add(_add(_multiply(_s26, _s17, _r2), _multiply(_multiply(_s23, _s21, _r4), _s15, _r4), _r4), _multiply(_k49, _add(_add(_multiply(_multiply(_s18, _s18, _r2), _s16, _r2), _multiply(_multiply(_s18, _s21, _r5), _s15, _r5), _r5), _multiply(_multiply(_s16, _s24, _r11), _s15, _r11), _r11), _r11), _r11)
+    _s32 = _k72 * _add(_s30, _add(_s29, _add(_multiply(_s14, _negative(_s31, _r11), _r11), _s28, _r11), _r11), _r11)
     return _s21, _s26, _s32
 
 
@@ -6377,9 +6378,9 @@ def bridge_around(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any
     _s10 = _subtract(_sqrt(((_s5 * _s5) + (_s8 * _s8))), _s9, _r2)
     _s11 = _select(_k4 < _s10, _s10, _k4, _r5)
     _s12 = _sqrt(_add(_multiply(_s2, _s2, _r6), _multiply(_s11, _s11, _r7), _r7), _r7)
-    _s13 = _negative(_multiply(_multiply(_k71, _add(_multiply(_multiply(_k48, x, _r6), vx, _r6), _multiply(_multiply(_k48, y, _r8), vy, _r8), _r8), _r8), _divide(_k39, _s9, _r4), _r8), _r8)
-    _s14 = _add(_multiply(_multiply(_k48, _subtract(_select(_s0 < _k4, _k4, vz, _r0), _select(_s1 < _k4, _k4, _negative(vz, _r1), _r4), _r4), _r4), _s2, _r4), _multiply(_multiply(_k48, _s11, _r5), _select(_k4 < _s10, _s13, _k4, _r2), _r5), _r5)
-    return _s12 - p_ball_radius, _multiply(_k71, _s14, _r5) / _s12
+    _s13 = _negative(_multiply(_multiply(_k72, _add(_multiply(_multiply(_k49, x, _r6), vx, _r6), _multiply(_multiply(_k49, y, _r8), vy, _r8), _r8), _r8), _divide(_k39, _s9, _r4), _r8), _r8)
+    _s14 = _add(_multiply(_multiply(_k49, _subtract(_select(_s0 < _k4, _k4, vz, _r0), _select(_s1 < _k4, _k4, _negative(vz, _r1), _r4), _r4), _r4), _s2, _r4), _multiply(_multiply(_k49, _s11, _r5), _select(_k4 < _s10, _s13, _k4, _r2), _r5), _r5)
+    return _s12 - p_ball_radius, _multiply(_k72, _s14, _r5) / _s12
 
 
 def bridge_enter(t: Any, end: Any, after: Any, low0: Any, low1: Any, high0: Any, high1: Any) -> tuple[Any, ...]:
@@ -6433,9 +6434,9 @@ def end_tangents(t: Any, z: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROWS) 
     """
     t, z, vz, p_gravity, = [_single(value) for value in (t, z, vz, p_gravity,)]
     _r0, _r1, _r2 = _halves(_room[:3])
-    _s0 = _multiply(_multiply(_k148, t, _r0), _add(_absolute(vz, _r1), _absolute(_add(vz, _multiply(_k20 * p_gravity, t, _r2), _r2), _r2), _r2), _r0)
+    _s0 = _multiply(_multiply(_k149, t, _r0), _add(_absolute(vz, _r1), _absolute(_add(vz, _multiply(_k20 * p_gravity, t, _r2), _r2), _r2), _r2), _r0)
     _s1 = _k21 + _multiply(_k22, _add(_s0, _absolute(z, _r2), _r2), _r2)
-    return _k34, _k141, _k34, _k34, _k34, _s1, _s1, _k34
+    return _k34, _k142, _k34, _k34, _k34, _s1, _s1, _k34
 
 
 def end_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ring_radius: Any, p_gravity: Any, p_end_depth: Any, change_ring_radius: Any, change_end_depth: Any) -> tuple[Any, ...]:
@@ -6464,7 +6465,7 @@ def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any,
     _s3 = _select(_s0, _absolute(vz, _r2), _sqrt(_s2, _r4), _r5)
     _s4 = vz < _k4
     _s5 = -(1.0 / p_gravity)
-    return _select(_s4, _multiply(_k48, _s1, _r6), _add(vz, _s3, _r7), _r8) / _select(_s4, _subtract(_s3, vz, _r9), p_gravity, _r10), -_s3, -p_gravity, _result(_s4, _k4, _negative(_multiply(vz, _s5, _r5), _r5), _r0), _result(_s4, _s1, _negative(_multiply(0.5 * _s5, _s2, _r3), _r3), _r0)
+    return _select(_s4, _multiply(_k49, _s1, _r6), _add(vz, _s3, _r7), _r8) / _select(_s4, _subtract(_s3, vz, _r9), p_gravity, _r10), -_s3, -p_gravity, _result(_s4, _k4, _negative(_multiply(vz, _s5, _r5), _r5), _r0), _result(_s4, _s1, _negative(_multiply(0.5 * _s5, _s2, _r3), _r3), _r0)
 
 
 def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -6474,7 +6475,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k290, _s0, _r1), _r1) + _multiply(_k278, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k14, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k291, _s0, _r1), _r1) + _multiply(_k279, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k14, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -6877,7 +6878,7 @@ def _error_bounds_alone(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, d
     _s10 = abs(dwy)
     _s11 = _s10 if _s9 < _s10 else _s9
     _s12 = abs(dwz)
-    return (_k47 * (_s3 if _s2 < _s3 else _s2)) if _s4 else position_bound, (_k47 * (_s8 if _s7 < _s8 else _s7)) if _s4 else velocity_bound, (_k47 * (_s12 if _s11 < _s12 else _s11)) if _s4 else spin_bound, (_k47 * clock_error) if _s4 else clock_bound
+    return (_k48 * (_s3 if _s2 < _s3 else _s2)) if _s4 else position_bound, (_k48 * (_s8 if _s7 < _s8 else _s7)) if _s4 else velocity_bound, (_k48 * (_s12 if _s11 < _s12 else _s11)) if _s4 else spin_bound, (_k48 * clock_error) if _s4 else clock_bound
 
 
 def _passing_from_alone(z: Any) -> tuple[Any, ...]:
@@ -6886,7 +6887,7 @@ def _passing_from_alone(z: Any) -> tuple[Any, ...]:
 
 def _passing_in_contact_alone(p_ring_radius: Any, x: Any, y: Any, z: Any, through: Any, over: Any) -> tuple[Any, ...]:
     _s0 = ((x * x) + (y * y)) < (p_ring_radius * p_ring_radius)
-    _s1 = (_k2 if (through == _k1) else _k66) if (((not over) and (_k2 <= z)) and _s0) else through
+    _s1 = (_k2 if (through == _k1) else _k67) if (((not over) and (_k2 <= z)) and _s0) else through
     return _k1 if (((over and (z < _k2)) and _s0) and (_s1 == _k2)) else _s1,
 
 
@@ -6914,7 +6915,7 @@ def _earliest_alone(index: Any, time: Any, when: Any, which: Any, arrives: Any) 
 
 
 def _beginning_alone() -> tuple[Any, ...]:
-    return _k81, _k7, False
+    return _k82, _k7, False
 
 
 def _out_of_budget_alone(pad: Any, budget_exceeded: Any, earliest_delay: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
@@ -6938,7 +6939,7 @@ def _opened_alone(horizon: Any, time: Any) -> tuple[Any, ...]:
 
 def _coarse_alone(rate_margin: Any, flat: Any, ceiling: Any, share: Any, searching: Any, representable: Any, fits: Any) -> tuple[Any, ...]:
     _s0 = (searching and representable) and fits
-    return _s0, searching or (not representable), _s0, ceiling, flat, rate_margin, share if (representable and fits) else _k81
+    return _s0, searching or (not representable), _s0, ceiling, flat, rate_margin, share if (representable and fits) else _k82
 
 
 def _stepped_alone(arrival: Any, lasting: Any, searching: Any, since: Any, single_precision: Any, certain: Any) -> tuple[Any, ...]:
@@ -6967,7 +6968,7 @@ def _gap_closes_or_stalls_alone(t: Any, end: Any, gap: Any, rate: Any, bend: Any
 
 
 def _smaller_budget_alone(share: Any) -> tuple[Any, ...]:
-    return (_k83 * share) if (_k82 < share) else _k2,
+    return (_k84 * share) if (_k83 < share) else _k2,
 
 
 def _budget_undecided_alone(t: Any, undecided_time: Any, excess: Any) -> tuple[Any, ...]:
@@ -6986,7 +6987,7 @@ def _found_alone(arrival: Any) -> tuple[Any, ...]:
 
 
 def _refined_root_alone(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
-    return refined if certain else arrival, certain and ((_k84 * (rate * rate)) < (ceiling * abs(gap)))
+    return refined if certain else arrival, certain and ((_k85 * (rate * rate)) < (ceiling * abs(gap)))
 
 
 def _own_margin_alone(leaving: Any, flat: Any, tilt: Any, arrival: Any) -> tuple[Any, ...]:
@@ -7020,7 +7021,7 @@ def _clearance_at_any_azimuth_alone(gap: Any, nearing: Any, half_step: Any, azim
 
 
 def _rolls_for_ever_alone(which: Any, endless: Any) -> tuple[Any, ...]:
-    return _k58 if endless else which,
+    return _k59 if endless else which,
 
 
 def _still_in_contact_alone(rolling: Any, circling: Any) -> tuple[Any, ...]:
@@ -7070,28 +7071,28 @@ def _roll_2_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: An
     _s9 = (((nx_1 * nz_2) + (_s1 * nz_1)) + (nz_0 * _s2)) - (((nx_0 * _s5) + (_s8 * nz_2)) + (nx_2 * nz_1))
     _s10 = (((nx_0 * _s4) + (_s8 * ny_2)) + (nx_2 * ny_1)) - (((nx_1 * ny_2) + (_s1 * ny_1)) + (ny_0 * _s2))
     _s11 = p_inertia * _s0
-    _s12 = _k88 * ((_s11 * (((turn_rate_0 * _s7) + (turn_rate_1 * tx_1)) + (turn_rate_2 * tx_0))) + (((nx_0 * _s6) + (nx_1 * lift_1)) + (nx_2 * lift_0)))
-    _s13 = _k88 * ((_s11 * (((turn_rate_0 * _s9) + (turn_rate_1 * ty_1)) + (turn_rate_2 * ty_0))) + (((ny_0 * _s6) + (ny_1 * lift_1)) + (ny_2 * lift_0)))
-    _s14 = _k88 * ((_s11 * (((turn_rate_0 * _s10) + (turn_rate_1 * tz_1)) + (turn_rate_2 * tz_0))) + (((nz_0 * _s6) + (nz_1 * lift_1)) + (nz_2 * lift_0)))
-    _s15 = _k88 * (((((vx_0 * _s7) + (vx_1 * tx_1)) + (vx_2 * tx_0)) + (((vy_0 * _s9) + (vy_1 * ty_1)) + (vy_2 * ty_0))) + (((vz_0 * _s10) + (vz_1 * tz_1)) + (vz_2 * tz_0)))
-    return _s6, _s7, _s9, _s10, _s12, _s13, _s14, _k88 * _s2, _k88 * _s4, _k88 * _s5, -_s15
+    _s12 = _k89 * ((_s11 * (((turn_rate_0 * _s7) + (turn_rate_1 * tx_1)) + (turn_rate_2 * tx_0))) + (((nx_0 * _s6) + (nx_1 * lift_1)) + (nx_2 * lift_0)))
+    _s13 = _k89 * ((_s11 * (((turn_rate_0 * _s9) + (turn_rate_1 * ty_1)) + (turn_rate_2 * ty_0))) + (((ny_0 * _s6) + (ny_1 * lift_1)) + (ny_2 * lift_0)))
+    _s14 = _k89 * ((_s11 * (((turn_rate_0 * _s10) + (turn_rate_1 * tz_1)) + (turn_rate_2 * tz_0))) + (((nz_0 * _s6) + (nz_1 * lift_1)) + (nz_2 * lift_0)))
+    _s15 = _k89 * (((((vx_0 * _s7) + (vx_1 * tx_1)) + (vx_2 * tx_0)) + (((vy_0 * _s9) + (vy_1 * ty_1)) + (vy_2 * ty_0))) + (((vz_0 * _s10) + (vz_1 * tz_1)) + (vz_2 * tz_0)))
+    return _s6, _s7, _s9, _s10, _s12, _s13, _s14, _k89 * _s2, _k89 * _s4, _k89 * _s5, -_s15
 
 
 def _roll_3_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, lift_0: Any, lift_1: Any, lift_2: Any, tx_0: Any, tx_1: Any, tx_2: Any, ty_0: Any, ty_1: Any, ty_2: Any, tz_0: Any, tz_1: Any, tz_2: Any) -> tuple[Any, ...]:
     _s0 = _k1 / (_k1 + p_inertia)
     _s1 = _k44 * nx_2
-    _s2 = _k86 * nx_3
+    _s2 = _k87 * nx_3
     _s3 = (vx_3 * bent_x) * per_reach
     _s4 = _k44 * ny_2
-    _s5 = _k86 * ny_3
+    _s5 = _k87 * ny_3
     _s6 = (vy_3 * bent_y) * per_reach
     _s7 = (vz_3 * bent_z) * per_reach
-    _s8 = (((((nx_1 * vx_3) + (_s1 * vx_2)) + (_s2 * vx_1)) + (vx_0 * _s3)) + ((((ny_1 * vy_3) + (_s4 * vy_2)) + (_s5 * vy_1)) + (vy_0 * _s6))) + ((((nz_1 * vz_3) + ((_k44 * nz_2) * vz_2)) + ((_k86 * nz_3) * vz_1)) + (vz_0 * _s7))
+    _s8 = (((((nx_1 * vx_3) + (_s1 * vx_2)) + (_s2 * vx_1)) + (vx_0 * _s3)) + ((((ny_1 * vy_3) + (_s4 * vy_2)) + (_s5 * vy_1)) + (vy_0 * _s6))) + ((((nz_1 * vz_3) + ((_k44 * nz_2) * vz_2)) + ((_k87 * nz_3) * vz_1)) + (vz_0 * _s7))
     _s9 = ((p_gravity * nz_3) * _s0) - _s8
     _s10 = _s4 * nz_2
-    _s11 = ((((ny_0 * _s7) + ((_k86 * ny_1) * nz_3)) + _s10) + (ny_3 * nz_1)) - ((((ny_1 * nz_3) + _s10) + (_s5 * nz_1)) + (nz_0 * _s6))
+    _s11 = ((((ny_0 * _s7) + ((_k87 * ny_1) * nz_3)) + _s10) + (ny_3 * nz_1)) - ((((ny_1 * nz_3) + _s10) + (_s5 * nz_1)) + (nz_0 * _s6))
     _s12 = _s1 * nz_2
-    _s13 = _k86 * nx_1
+    _s13 = _k87 * nx_1
     _s14 = ((((nx_1 * nz_3) + _s12) + (_s2 * nz_1)) + (nz_0 * _s3)) - ((((nx_0 * _s7) + (_s13 * nz_3)) + _s12) + (nx_3 * nz_1))
     _s15 = _s1 * ny_2
     _s16 = ((((nx_0 * _s6) + (_s13 * ny_3)) + _s15) + (nx_3 * ny_1)) - ((((nx_1 * ny_3) + _s15) + (_s2 * ny_1)) + (ny_0 * _s3))
@@ -7100,27 +7101,27 @@ def _roll_3_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: An
     _s19 = (_s17 * ((((turn_rate_0 * _s14) + (turn_rate_1 * ty_2)) + (turn_rate_2 * ty_1)) + (turn_rate_3 * ty_0))) + ((((ny_0 * _s9) + (ny_1 * lift_2)) + (ny_2 * lift_1)) + (ny_3 * lift_0))
     _s20 = (_s17 * ((((turn_rate_0 * _s16) + (turn_rate_1 * tz_2)) + (turn_rate_2 * tz_1)) + (turn_rate_3 * tz_0))) + ((((nz_0 * _s9) + (nz_1 * lift_2)) + (nz_2 * lift_1)) + (nz_3 * lift_0))
     _s21 = (((((vx_0 * _s11) + (vx_1 * tx_2)) + (vx_2 * tx_1)) + (vx_3 * tx_0)) + ((((vy_0 * _s14) + (vy_1 * ty_2)) + (vy_2 * ty_1)) + (vy_3 * ty_0))) + ((((vz_0 * _s16) + (vz_1 * tz_2)) + (vz_2 * tz_1)) + (vz_3 * tz_0))
-    return _s9, _s11, _s14, _s16, _k55 * _s18, _k55 * _s19, _k55 * _s20, _k55 * _s3, _k55 * _s6, _k55 * _s7, -(_k55 * _s21)
+    return _s9, _s11, _s14, _s16, _k56 * _s18, _k56 * _s19, _k56 * _s20, _k56 * _s3, _k56 * _s6, _k56 * _s7, -(_k56 * _s21)
 
 
 def _roll_4_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any) -> tuple[Any, ...]:
     _s0 = _k1 / (_k1 + p_inertia)
     _s1 = _k44 * nx_2
-    _s2 = _k86 * nx_3
-    _s3 = _k73 * nx_4
+    _s2 = _k87 * nx_3
+    _s3 = _k74 * nx_4
     _s4 = (vx_4 * bent_x) * per_reach
     _s5 = _k44 * ny_2
-    _s6 = _k86 * ny_3
-    _s7 = _k73 * ny_4
+    _s6 = _k87 * ny_3
+    _s7 = _k74 * ny_4
     _s8 = (vy_4 * bent_y) * per_reach
     _s9 = (((((nx_1 * vx_4) + (_s1 * vx_3)) + (_s2 * vx_2)) + (_s3 * vx_1)) + (vx_0 * _s4)) + (((((ny_1 * vy_4) + (_s5 * vy_3)) + (_s6 * vy_2)) + (_s7 * vy_1)) + (vy_0 * _s8))
     _s10 = (vz_4 * bent_z) * per_reach
-    _s11 = ((((nz_1 * vz_4) + ((_k44 * nz_2) * vz_3)) + ((_k86 * nz_3) * vz_2)) + ((_k73 * nz_4) * vz_1)) + (vz_0 * _s10)
+    _s11 = ((((nz_1 * vz_4) + ((_k44 * nz_2) * vz_3)) + ((_k87 * nz_3) * vz_2)) + ((_k74 * nz_4) * vz_1)) + (vz_0 * _s10)
     _s12 = ((p_gravity * nz_4) * _s0) - (_s9 + _s11)
-    _s13 = ((((ny_0 * _s10) + ((_k73 * ny_1) * nz_4)) + ((_k86 * ny_2) * nz_3)) + ((_k44 * ny_3) * nz_2)) + (ny_4 * nz_1)
+    _s13 = ((((ny_0 * _s10) + ((_k74 * ny_1) * nz_4)) + ((_k87 * ny_2) * nz_3)) + ((_k44 * ny_3) * nz_2)) + (ny_4 * nz_1)
     _s14 = _s13 - (((((ny_1 * nz_4) + (_s5 * nz_3)) + (_s6 * nz_2)) + (_s7 * nz_1)) + (nz_0 * _s8))
-    _s15 = _k73 * nx_1
-    _s16 = _k86 * nx_2
+    _s15 = _k74 * nx_1
+    _s16 = _k87 * nx_2
     _s17 = _k44 * nx_3
     _s18 = (((((nx_1 * nz_4) + (_s1 * nz_3)) + (_s2 * nz_2)) + (_s3 * nz_1)) + (nz_0 * _s4)) - (((((nx_0 * _s10) + (_s15 * nz_4)) + (_s16 * nz_3)) + (_s17 * nz_2)) + (nx_4 * nz_1))
     _s19 = (((((nx_0 * _s8) + (_s15 * ny_4)) + (_s16 * ny_3)) + (_s17 * ny_2)) + (nx_4 * ny_1)) - (((((nx_1 * ny_4) + (_s1 * ny_3)) + (_s2 * ny_2)) + (_s3 * ny_1)) + (ny_0 * _s4))
@@ -7133,34 +7134,34 @@ def _roll_4_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: An
     _s26 = _s25 + (((((nz_0 * _s12) + (nz_1 * lift_3)) + (nz_2 * lift_2)) + (nz_3 * lift_1)) + (nz_4 * lift_0))
     _s27 = (((((vx_0 * _s14) + (vx_1 * tx_3)) + (vx_2 * tx_2)) + (vx_3 * tx_1)) + (vx_4 * tx_0)) + (((((vy_0 * _s18) + (vy_1 * ty_3)) + (vy_2 * ty_2)) + (vy_3 * ty_1)) + (vy_4 * ty_0))
     _s28 = _s27 + (((((vz_0 * _s19) + (vz_1 * tz_3)) + (vz_2 * tz_2)) + (vz_3 * tz_1)) + (vz_4 * tz_0))
-    return _s12, _s14, _s18, _s19, _k92 * _s22, _k92 * _s24, _k92 * _s26, _k92 * _s4, _k92 * _s8, _k92 * _s10, -(_k92 * _s28)
+    return _s12, _s14, _s18, _s19, _k93 * _s22, _k93 * _s24, _k93 * _s26, _k93 * _s4, _k93 * _s8, _k93 * _s10, -(_k93 * _s28)
 
 
 def _roll_5_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any) -> tuple[Any, ...]:
     _s0 = _k1 / (_k1 + p_inertia)
     _s1 = _k44 * nx_2
-    _s2 = _k86 * nx_3
-    _s3 = _k73 * nx_4
-    _s4 = _k95 * nx_5
+    _s2 = _k87 * nx_3
+    _s3 = _k74 * nx_4
+    _s4 = _k96 * nx_5
     _s5 = (vx_5 * bent_x) * per_reach
     _s6 = (((((nx_1 * vx_5) + (_s1 * vx_4)) + (_s2 * vx_3)) + (_s3 * vx_2)) + (_s4 * vx_1)) + (vx_0 * _s5)
     _s7 = _k44 * ny_2
-    _s8 = _k86 * ny_3
-    _s9 = _k73 * ny_4
-    _s10 = _k95 * ny_5
+    _s8 = _k87 * ny_3
+    _s9 = _k74 * ny_4
+    _s10 = _k96 * ny_5
     _s11 = (vy_5 * bent_y) * per_reach
     _s12 = (((((ny_1 * vy_5) + (_s7 * vy_4)) + (_s8 * vy_3)) + (_s9 * vy_2)) + (_s10 * vy_1)) + (vy_0 * _s11)
-    _s13 = ((((nz_1 * vz_5) + ((_k44 * nz_2) * vz_4)) + ((_k86 * nz_3) * vz_3)) + ((_k73 * nz_4) * vz_2)) + ((_k95 * nz_5) * vz_1)
+    _s13 = ((((nz_1 * vz_5) + ((_k44 * nz_2) * vz_4)) + ((_k87 * nz_3) * vz_3)) + ((_k74 * nz_4) * vz_2)) + ((_k96 * nz_5) * vz_1)
     _s14 = (vz_5 * bent_z) * per_reach
     _s15 = ((p_gravity * nz_5) * _s0) - ((_s6 + _s12) + (_s13 + (vz_0 * _s14)))
     _s16 = _s8 * nz_3
-    _s17 = ((((ny_0 * _s14) + ((_k95 * ny_1) * nz_5)) + ((_k73 * ny_2) * nz_4)) + _s16) + ((_k44 * ny_4) * nz_2)
+    _s17 = ((((ny_0 * _s14) + ((_k96 * ny_1) * nz_5)) + ((_k74 * ny_2) * nz_4)) + _s16) + ((_k44 * ny_4) * nz_2)
     _s18 = (((((ny_1 * nz_5) + (_s7 * nz_4)) + _s16) + (_s9 * nz_2)) + (_s10 * nz_1)) + (nz_0 * _s11)
     _s19 = (_s17 + (ny_5 * nz_1)) - _s18
     _s20 = _s2 * nz_3
     _s21 = (((((nx_1 * nz_5) + (_s1 * nz_4)) + _s20) + (_s3 * nz_2)) + (_s4 * nz_1)) + (nz_0 * _s5)
-    _s22 = _k95 * nx_1
-    _s23 = _k73 * nx_2
+    _s22 = _k96 * nx_1
+    _s23 = _k74 * nx_2
     _s24 = _k44 * nx_4
     _s25 = (((((nx_0 * _s14) + (_s22 * nz_5)) + (_s23 * nz_4)) + _s20) + (_s24 * nz_2)) + (nx_5 * nz_1)
     _s26 = _s21 - _s25
@@ -7178,36 +7179,36 @@ def _roll_5_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: An
     _s38 = (((((vx_0 * _s19) + (vx_1 * tx_4)) + (vx_2 * tx_3)) + (vx_3 * tx_2)) + (vx_4 * tx_1)) + (vx_5 * tx_0)
     _s39 = (((((vy_0 * _s26) + (vy_1 * ty_4)) + (vy_2 * ty_3)) + (vy_3 * ty_2)) + (vy_4 * ty_1)) + (vy_5 * ty_0)
     _s40 = (((((vz_0 * _s30) + (vz_1 * tz_4)) + (vz_2 * tz_3)) + (vz_3 * tz_2)) + (vz_4 * tz_1)) + (vz_5 * tz_0)
-    return _s15, _s19, _s26, _s30, _k96 * ((_s31 * _s32) + _s33), _k96 * ((_s31 * _s34) + _s35), _k96 * ((_s31 * _s36) + _s37), _k96 * _s5, _k96 * _s11, _k96 * _s14, -(_k96 * ((_s38 + _s39) + _s40))
+    return _s15, _s19, _s26, _s30, _k97 * ((_s31 * _s32) + _s33), _k97 * ((_s31 * _s34) + _s35), _k97 * ((_s31 * _s36) + _s37), _k97 * _s5, _k97 * _s11, _k97 * _s14, -(_k97 * ((_s38 + _s39) + _s40))
 
 
 def _roll_6_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any) -> tuple[Any, ...]:
     _s0 = _k1 / (_k1 + p_inertia)
     _s1 = _k44 * nx_2
-    _s2 = _k86 * nx_3
-    _s3 = _k73 * nx_4
-    _s4 = _k95 * nx_5
+    _s2 = _k87 * nx_3
+    _s3 = _k74 * nx_4
+    _s4 = _k96 * nx_5
     _s5 = _k6 * nx_6
     _s6 = (((((nx_1 * vx_6) + (_s1 * vx_5)) + (_s2 * vx_4)) + (_s3 * vx_3)) + (_s4 * vx_2)) + (_s5 * vx_1)
     _s7 = (vx_6 * bent_x) * per_reach
     _s8 = _k44 * ny_2
-    _s9 = _k86 * ny_3
-    _s10 = _k73 * ny_4
-    _s11 = _k95 * ny_5
+    _s9 = _k87 * ny_3
+    _s10 = _k74 * ny_4
+    _s11 = _k96 * ny_5
     _s12 = _k6 * ny_6
     _s13 = (((((ny_1 * vy_6) + (_s8 * vy_5)) + (_s9 * vy_4)) + (_s10 * vy_3)) + (_s11 * vy_2)) + (_s12 * vy_1)
     _s14 = (vy_6 * bent_y) * per_reach
-    _s15 = ((((nz_1 * vz_6) + ((_k44 * nz_2) * vz_5)) + ((_k86 * nz_3) * vz_4)) + ((_k73 * nz_4) * vz_3)) + ((_k95 * nz_5) * vz_2)
+    _s15 = ((((nz_1 * vz_6) + ((_k44 * nz_2) * vz_5)) + ((_k87 * nz_3) * vz_4)) + ((_k74 * nz_4) * vz_3)) + ((_k96 * nz_5) * vz_2)
     _s16 = (vz_6 * bent_z) * per_reach
     _s17 = ((p_gravity * nz_6) * _s0) - (((_s6 + (vx_0 * _s7)) + (_s13 + (vy_0 * _s14))) + ((_s15 + ((_k6 * nz_6) * vz_1)) + (vz_0 * _s16)))
-    _s18 = ((((ny_0 * _s16) + ((_k6 * ny_1) * nz_6)) + ((_k95 * ny_2) * nz_5)) + ((_k73 * ny_3) * nz_4)) + ((_k86 * ny_4) * nz_3)
+    _s18 = ((((ny_0 * _s16) + ((_k6 * ny_1) * nz_6)) + ((_k96 * ny_2) * nz_5)) + ((_k74 * ny_3) * nz_4)) + ((_k87 * ny_4) * nz_3)
     _s19 = (((((ny_1 * nz_6) + (_s8 * nz_5)) + (_s9 * nz_4)) + (_s10 * nz_3)) + (_s11 * nz_2)) + (_s12 * nz_1)
     _s20 = ((_s18 + ((_k44 * ny_5) * nz_2)) + (ny_6 * nz_1)) - (_s19 + (nz_0 * _s14))
     _s21 = (((((nx_1 * nz_6) + (_s1 * nz_5)) + (_s2 * nz_4)) + (_s3 * nz_3)) + (_s4 * nz_2)) + (_s5 * nz_1)
     _s22 = _k6 * nx_1
-    _s23 = _k95 * nx_2
-    _s24 = _k73 * nx_3
-    _s25 = _k86 * nx_4
+    _s23 = _k96 * nx_2
+    _s24 = _k74 * nx_3
+    _s25 = _k87 * nx_4
     _s26 = _k44 * nx_5
     _s27 = (((((nx_0 * _s16) + (_s22 * nz_6)) + (_s23 * nz_5)) + (_s24 * nz_4)) + (_s25 * nz_3)) + (_s26 * nz_2)
     _s28 = (_s21 + (nz_0 * _s7)) - (_s27 + (nx_6 * nz_1))
@@ -7224,42 +7225,42 @@ def _roll_6_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: An
     _s39 = (((((vx_0 * _s20) + (vx_1 * tx_5)) + (vx_2 * tx_4)) + (vx_3 * tx_3)) + (vx_4 * tx_2)) + (vx_5 * tx_1)
     _s40 = (((((vy_0 * _s28) + (vy_1 * ty_5)) + (vy_2 * ty_4)) + (vy_3 * ty_3)) + (vy_4 * ty_2)) + (vy_5 * ty_1)
     _s41 = (((((vz_0 * _s31) + (vz_1 * tz_5)) + (vz_2 * tz_4)) + (vz_3 * tz_3)) + (vz_4 * tz_2)) + (vz_5 * tz_1)
-    _s42 = -(_k98 * (((_s39 + (vx_6 * tx_0)) + (_s40 + (vy_6 * ty_0))) + (_s41 + (vz_6 * tz_0))))
-    return _s17, _s20, _s28, _s31, _k98 * ((_s32 * (_s33 + (turn_rate_6 * tx_0))) + (_s34 + (nx_6 * lift_0))), _k98 * ((_s32 * (_s35 + (turn_rate_6 * ty_0))) + (_s36 + (ny_6 * lift_0))), _k98 * ((_s32 * (_s37 + (turn_rate_6 * tz_0))) + (_s38 + (nz_6 * lift_0))), _k98 * _s7, _k98 * _s14, _k98 * _s16, _s42
+    _s42 = -(_k99 * (((_s39 + (vx_6 * tx_0)) + (_s40 + (vy_6 * ty_0))) + (_s41 + (vz_6 * tz_0))))
+    return _s17, _s20, _s28, _s31, _k99 * ((_s32 * (_s33 + (turn_rate_6 * tx_0))) + (_s34 + (nx_6 * lift_0))), _k99 * ((_s32 * (_s35 + (turn_rate_6 * ty_0))) + (_s36 + (ny_6 * lift_0))), _k99 * ((_s32 * (_s37 + (turn_rate_6 * tz_0))) + (_s38 + (nz_6 * lift_0))), _k99 * _s7, _k99 * _s14, _k99 * _s16, _s42
 
 
 def _roll_7_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, nx_7: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, ny_7: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, bent_x: Any, bent_y: Any, bent_z: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, tx_6: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, ty_6: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, tz_6: Any) -> tuple[Any, ...]:
     _s0 = _k1 / (_k1 + p_inertia)
     _s1 = _k44 * nx_2
-    _s2 = _k86 * nx_3
-    _s3 = _k73 * nx_4
-    _s4 = _k95 * nx_5
+    _s2 = _k87 * nx_3
+    _s3 = _k74 * nx_4
+    _s4 = _k96 * nx_5
     _s5 = _k6 * nx_6
     _s6 = (((((nx_1 * vx_7) + (_s1 * vx_6)) + (_s2 * vx_5)) + (_s3 * vx_4)) + (_s4 * vx_3)) + (_s5 * vx_2)
-    _s7 = _k100 * nx_7
+    _s7 = _k101 * nx_7
     _s8 = (vx_7 * bent_x) * per_reach
     _s9 = _k44 * ny_2
-    _s10 = _k86 * ny_3
-    _s11 = _k73 * ny_4
-    _s12 = _k95 * ny_5
+    _s10 = _k87 * ny_3
+    _s11 = _k74 * ny_4
+    _s12 = _k96 * ny_5
     _s13 = _k6 * ny_6
     _s14 = (((((ny_1 * vy_7) + (_s9 * vy_6)) + (_s10 * vy_5)) + (_s11 * vy_4)) + (_s12 * vy_3)) + (_s13 * vy_2)
-    _s15 = _k100 * ny_7
+    _s15 = _k101 * ny_7
     _s16 = (vy_7 * bent_y) * per_reach
-    _s17 = ((((nz_1 * vz_7) + ((_k44 * nz_2) * vz_6)) + ((_k86 * nz_3) * vz_5)) + ((_k73 * nz_4) * vz_4)) + ((_k95 * nz_5) * vz_3)
+    _s17 = ((((nz_1 * vz_7) + ((_k44 * nz_2) * vz_6)) + ((_k87 * nz_3) * vz_5)) + ((_k74 * nz_4) * vz_4)) + ((_k96 * nz_5) * vz_3)
     _s18 = (vz_7 * bent_z) * per_reach
-    _s19 = (((_s6 + (_s7 * vx_1)) + (vx_0 * _s8)) + ((_s14 + (_s15 * vy_1)) + (vy_0 * _s16))) + (((_s17 + ((_k6 * nz_6) * vz_2)) + ((_k100 * nz_7) * vz_1)) + (vz_0 * _s18))
+    _s19 = (((_s6 + (_s7 * vx_1)) + (vx_0 * _s8)) + ((_s14 + (_s15 * vy_1)) + (vy_0 * _s16))) + (((_s17 + ((_k6 * nz_6) * vz_2)) + ((_k101 * nz_7) * vz_1)) + (vz_0 * _s18))
     _s20 = ((p_gravity * nz_7) * _s0) - _s19
     _s21 = _s11 * nz_4
-    _s22 = ((((ny_0 * _s18) + ((_k100 * ny_1) * nz_7)) + ((_k6 * ny_2) * nz_6)) + ((_k95 * ny_3) * nz_5)) + _s21
+    _s22 = ((((ny_0 * _s18) + ((_k101 * ny_1) * nz_7)) + ((_k6 * ny_2) * nz_6)) + ((_k96 * ny_3) * nz_5)) + _s21
     _s23 = (((((ny_1 * nz_7) + (_s9 * nz_6)) + (_s10 * nz_5)) + _s21) + (_s12 * nz_3)) + (_s13 * nz_2)
-    _s24 = (((_s22 + ((_k86 * ny_5) * nz_3)) + ((_k44 * ny_6) * nz_2)) + (ny_7 * nz_1)) - ((_s23 + (_s15 * nz_1)) + (nz_0 * _s16))
+    _s24 = (((_s22 + ((_k87 * ny_5) * nz_3)) + ((_k44 * ny_6) * nz_2)) + (ny_7 * nz_1)) - ((_s23 + (_s15 * nz_1)) + (nz_0 * _s16))
     _s25 = _s3 * nz_4
     _s26 = (((((nx_1 * nz_7) + (_s1 * nz_6)) + (_s2 * nz_5)) + _s25) + (_s4 * nz_3)) + (_s5 * nz_2)
-    _s27 = _k100 * nx_1
+    _s27 = _k101 * nx_1
     _s28 = _k6 * nx_2
-    _s29 = _k95 * nx_3
-    _s30 = _k86 * nx_5
+    _s29 = _k96 * nx_3
+    _s30 = _k87 * nx_5
     _s31 = (((((nx_0 * _s18) + (_s27 * nz_7)) + (_s28 * nz_6)) + (_s29 * nz_5)) + _s25) + (_s30 * nz_3)
     _s32 = _k44 * nx_6
     _s33 = ((_s26 + (_s7 * nz_1)) + (nz_0 * _s8)) - ((_s31 + (_s32 * nz_2)) + (nx_7 * nz_1))
@@ -7270,18 +7271,18 @@ def _roll_7_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, nx_2: An
     _s38 = p_inertia * _s0
     _s39 = (((((turn_rate_0 * _s24) + (turn_rate_1 * tx_6)) + (turn_rate_2 * tx_5)) + (turn_rate_3 * tx_4)) + (turn_rate_4 * tx_3)) + (turn_rate_5 * tx_2)
     _s40 = (((((nx_0 * _s20) + (nx_1 * lift_6)) + (nx_2 * lift_5)) + (nx_3 * lift_4)) + (nx_4 * lift_3)) + (nx_5 * lift_2)
-    _s41 = _k59 * ((_s38 * ((_s39 + (turn_rate_6 * tx_1)) + (turn_rate_7 * tx_0))) + ((_s40 + (nx_6 * lift_1)) + (nx_7 * lift_0)))
+    _s41 = _k60 * ((_s38 * ((_s39 + (turn_rate_6 * tx_1)) + (turn_rate_7 * tx_0))) + ((_s40 + (nx_6 * lift_1)) + (nx_7 * lift_0)))
     _s42 = (((((turn_rate_0 * _s33) + (turn_rate_1 * ty_6)) + (turn_rate_2 * ty_5)) + (turn_rate_3 * ty_4)) + (turn_rate_4 * ty_3)) + (turn_rate_5 * ty_2)
     _s43 = (((((ny_0 * _s20) + (ny_1 * lift_6)) + (ny_2 * lift_5)) + (ny_3 * lift_4)) + (ny_4 * lift_3)) + (ny_5 * lift_2)
-    _s44 = _k59 * ((_s38 * ((_s42 + (turn_rate_6 * ty_1)) + (turn_rate_7 * ty_0))) + ((_s43 + (ny_6 * lift_1)) + (ny_7 * lift_0)))
+    _s44 = _k60 * ((_s38 * ((_s42 + (turn_rate_6 * ty_1)) + (turn_rate_7 * ty_0))) + ((_s43 + (ny_6 * lift_1)) + (ny_7 * lift_0)))
     _s45 = (((((turn_rate_0 * _s37) + (turn_rate_1 * tz_6)) + (turn_rate_2 * tz_5)) + (turn_rate_3 * tz_4)) + (turn_rate_4 * tz_3)) + (turn_rate_5 * tz_2)
     _s46 = (((((nz_0 * _s20) + (nz_1 * lift_6)) + (nz_2 * lift_5)) + (nz_3 * lift_4)) + (nz_4 * lift_3)) + (nz_5 * lift_2)
-    _s47 = _k59 * ((_s38 * ((_s45 + (turn_rate_6 * tz_1)) + (turn_rate_7 * tz_0))) + ((_s46 + (nz_6 * lift_1)) + (nz_7 * lift_0)))
+    _s47 = _k60 * ((_s38 * ((_s45 + (turn_rate_6 * tz_1)) + (turn_rate_7 * tz_0))) + ((_s46 + (nz_6 * lift_1)) + (nz_7 * lift_0)))
     _s48 = (((((vx_0 * _s24) + (vx_1 * tx_6)) + (vx_2 * tx_5)) + (vx_3 * tx_4)) + (vx_4 * tx_3)) + (vx_5 * tx_2)
     _s49 = (((((vy_0 * _s33) + (vy_1 * ty_6)) + (vy_2 * ty_5)) + (vy_3 * ty_4)) + (vy_4 * ty_3)) + (vy_5 * ty_2)
     _s50 = (((((vz_0 * _s37) + (vz_1 * tz_6)) + (vz_2 * tz_5)) + (vz_3 * tz_4)) + (vz_4 * tz_3)) + (vz_5 * tz_2)
-    _s51 = _k59 * ((((_s48 + (vx_6 * tx_1)) + (vx_7 * tx_0)) + ((_s49 + (vy_6 * ty_1)) + (vy_7 * ty_0))) + ((_s50 + (vz_6 * tz_1)) + (vz_7 * tz_0)))
-    return _s20, _s24, _s33, _s37, _s41, _s44, _s47, _k59 * _s8, _k59 * _s16, _k59 * _s18, -_s51
+    _s51 = _k60 * ((((_s48 + (vx_6 * tx_1)) + (vx_7 * tx_0)) + ((_s49 + (vy_6 * ty_1)) + (vy_7 * ty_0))) + ((_s50 + (vz_6 * tz_1)) + (vz_7 * tz_0)))
+    return _s20, _s24, _s33, _s37, _s41, _s44, _s47, _k60 * _s8, _k60 * _s16, _k60 * _s18, -_s51
 
 
 def _roll_start_alone(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
@@ -7289,19 +7290,19 @@ def _roll_start_alone(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy
 
 
 def _roll_moved_alone(x: Any, y: Any, z: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vx_8: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vy_8: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, vz_8: Any, t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any) -> tuple[Any, ...]:
-    _s0 = t * ((_k98 * vx_6) + (t * ((_k59 * vx_7) + ((_k102 * vx_8) * t))))
-    _s1 = (_k55 * vx_3) + (t * ((_k92 * vx_4) + (t * ((_k96 * vx_5) + _s0))))
-    _s2 = vx_0 + (t * ((_k0 * vx_1) + (t * ((_k88 * vx_2) + (t * _s1)))))
+    _s0 = t * ((_k99 * vx_6) + (t * ((_k60 * vx_7) + ((_k103 * vx_8) * t))))
+    _s1 = (_k56 * vx_3) + (t * ((_k93 * vx_4) + (t * ((_k97 * vx_5) + _s0))))
+    _s2 = vx_0 + (t * ((_k0 * vx_1) + (t * ((_k89 * vx_2) + (t * _s1)))))
     _s3 = vx_5 + (t * (vx_6 + (t * (vx_7 + (vx_8 * t)))))
     _s4 = vx_2 + (t * (vx_3 + (t * (vx_4 + (t * _s3)))))
-    _s5 = t * ((_k98 * vy_6) + (t * ((_k59 * vy_7) + ((_k102 * vy_8) * t))))
-    _s6 = (_k55 * vy_3) + (t * ((_k92 * vy_4) + (t * ((_k96 * vy_5) + _s5))))
-    _s7 = vy_0 + (t * ((_k0 * vy_1) + (t * ((_k88 * vy_2) + (t * _s6)))))
+    _s5 = t * ((_k99 * vy_6) + (t * ((_k60 * vy_7) + ((_k103 * vy_8) * t))))
+    _s6 = (_k56 * vy_3) + (t * ((_k93 * vy_4) + (t * ((_k97 * vy_5) + _s5))))
+    _s7 = vy_0 + (t * ((_k0 * vy_1) + (t * ((_k89 * vy_2) + (t * _s6)))))
     _s8 = vy_5 + (t * (vy_6 + (t * (vy_7 + (vy_8 * t)))))
     _s9 = vy_2 + (t * (vy_3 + (t * (vy_4 + (t * _s8)))))
-    _s10 = t * ((_k98 * vz_6) + (t * ((_k59 * vz_7) + ((_k102 * vz_8) * t))))
-    _s11 = (_k55 * vz_3) + (t * ((_k92 * vz_4) + (t * ((_k96 * vz_5) + _s10))))
-    _s12 = vz_0 + (t * ((_k0 * vz_1) + (t * ((_k88 * vz_2) + (t * _s11)))))
+    _s10 = t * ((_k99 * vz_6) + (t * ((_k60 * vz_7) + ((_k103 * vz_8) * t))))
+    _s11 = (_k56 * vz_3) + (t * ((_k93 * vz_4) + (t * ((_k97 * vz_5) + _s10))))
+    _s12 = vz_0 + (t * ((_k0 * vz_1) + (t * ((_k89 * vz_2) + (t * _s11)))))
     _s13 = vz_5 + (t * (vz_6 + (t * (vz_7 + (vz_8 * t)))))
     _s14 = vz_2 + (t * (vz_3 + (t * (vz_4 + (t * _s13)))))
     _s15 = turn_rate_5 + (t * (turn_rate_6 + (t * (turn_rate_7 + (t * turn_rate_8)))))
@@ -7320,34 +7321,34 @@ def _roll_placed_alone(p_ball_radius: Any, x: Any, y: Any, z: Any, nx: Any, ny: 
 
 def _roll_step_alone(p_gravity: Any, p_inertia: Any, nx_8: Any, ny_8: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, nz_8: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vx_8: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vy_8: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, vz_8: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, lift_7: Any) -> tuple[Any, ...]:
     _s0 = ((abs(vx_0) + abs(vy_0)) + abs(vz_0)) + abs(turn_rate_0)
-    _s1 = (_k67 * p_gravity) + _s0
+    _s1 = (_k68 * p_gravity) + _s0
     _s2 = abs(per_reach)
     _s3 = ((abs(vx_7) + abs(vy_7)) + abs(vz_7)) + abs(turn_rate_7)
     _s4 = ((abs(vx_8) + abs(vy_8)) + abs(vz_8)) + abs(turn_rate_8)
     _s5 = (((_s2 * _s0) + _root((p_gravity * _s2))) * _s3) + _s4
     _s6 = _s1 * ((abs(nx_8) + abs(ny_8)) + abs(nz_8))
-    _s7 = _root(_root(_root(((_k108 * _s1) / (_s6 if _s5 < _s6 else _s5)))))
+    _s7 = _root(_root(_root(((_k109 * _s1) / (_s6 if _s5 < _s6 else _s5)))))
     _s8 = _s7 if _s7 < _k1 else _k1
     _s9 = (_k44 * (((abs(vx_2) + abs(vy_2)) + abs(vz_2)) + abs(turn_rate_2))) * _s8
     _s10 = _s8 * _s8
-    _s11 = (_k86 * (((abs(vx_3) + abs(vy_3)) + abs(vz_3)) + abs(turn_rate_3))) * _s10
+    _s11 = (_k87 * (((abs(vx_3) + abs(vy_3)) + abs(vz_3)) + abs(turn_rate_3))) * _s10
     _s12 = _s8 * _s10
-    _s13 = (_k73 * (((abs(vx_4) + abs(vy_4)) + abs(vz_4)) + abs(turn_rate_4))) * _s12
+    _s13 = (_k74 * (((abs(vx_4) + abs(vy_4)) + abs(vz_4)) + abs(turn_rate_4))) * _s12
     _s14 = _s10 * _s10
-    _s15 = (_k95 * (((abs(vx_5) + abs(vy_5)) + abs(vz_5)) + abs(turn_rate_5))) * _s14
+    _s15 = (_k96 * (((abs(vx_5) + abs(vy_5)) + abs(vz_5)) + abs(turn_rate_5))) * _s14
     _s16 = _s8 * _s14
     _s17 = (_k6 * (((abs(vx_6) + abs(vy_6)) + abs(vz_6)) + abs(turn_rate_6))) * _s16
-    _s18 = (((((_s9 + _s11) + _s13) + _s15) + _s17) + ((_k100 * _s3) * (_s10 * _s14))) + ((_k58 * _s4) * (_s12 * _s14))
+    _s18 = (((((_s9 + _s11) + _s13) + _s15) + _s17) + ((_k101 * _s3) * (_s10 * _s14))) + ((_k59 * _s4) * (_s12 * _s14))
     _s19 = _s18 + (((abs(vx_1) + abs(vy_1)) + abs(vz_1)) + abs(turn_rate_1))
     _s20 = p_inertia * (_k1 / (_k1 + p_inertia))
     _s21 = p_gravity * nz_1
     _s22 = (_k6 * abs((lift_3 + ((p_gravity * nz_3) * _s20)))) * _s8
     _s23 = (_k43 * abs((lift_4 + ((p_gravity * nz_4) * _s20)))) * _s10
-    _s24 = (_k109 * abs((lift_5 + ((p_gravity * nz_5) * _s20)))) * _s12
-    _s25 = (_k110 * abs((lift_6 + ((p_gravity * nz_6) * _s20)))) * _s14
-    _s26 = (_k111 * abs((lift_7 + ((p_gravity * nz_7) * _s20)))) * _s16
+    _s24 = (_k110 * abs((lift_5 + ((p_gravity * nz_5) * _s20)))) * _s12
+    _s25 = (_k111 * abs((lift_6 + ((p_gravity * nz_6) * _s20)))) * _s14
+    _s26 = (_k112 * abs((lift_7 + ((p_gravity * nz_7) * _s20)))) * _s16
     _s27 = ((((_s22 + _s23) + _s24) + _s25) + _s26) + (_k44 * abs((lift_2 + ((p_gravity * nz_2) * _s20))))
-    return _s8, _k74 * _s1, _s19, (_s19 * _s8) + _s0, lift_0 + ((p_gravity * nz_0) * _s20), lift_1 + (_s21 * _s20), _s27, -((_k44 * (-_s21)) * _s20)
+    return _s8, _k75 * _s1, _s19, (_s19 * _s8) + _s0, lift_0 + ((p_gravity * nz_0) * _s20), lift_1 + (_s21 * _s20), _s27, -((_k44 * (-_s21)) * _s20)
 
 
 def _roll_turn_rate_alone(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
@@ -7371,9 +7372,9 @@ def _isolated_alone() -> tuple[Any, ...]:
 
 
 def _jump_errors_alone(p_ball_radius: Any, vx: Any, vy: Any, vz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
-    _s0 = _k119 * p_ball_radius
+    _s0 = _k120 * p_ball_radius
     _s1 = -_s0
-    _s2 = (_k120 * p_ball_radius) * (_k1 + (((abs(vx) + abs(vy)) + abs(vz)) / p_ball_radius))
+    _s2 = (_k121 * p_ball_radius) * (_k1 + (((abs(vx) + abs(vy)) + abs(vz)) / p_ball_radius))
     _s3 = -_s2
     _s4 = _s2 / p_ball_radius
     _s5 = -_s4
@@ -7383,45 +7384,45 @@ def _jump_errors_alone(p_ball_radius: Any, vx: Any, vy: Any, vz: Any, dx: Any, d
 def _leaving_force_alone(p_ball_radius: Any, p_gravity: Any, vx: Any, vx_1: Any, vy: Any, vy_1: Any, vz: Any, vz_1: Any, which: Any, undecided_time: Any, position_error: Any, velocity_error: Any, per_reach: Any, force: Any, force_rate: Any, force_bend: Any, friction_force_rate: Any, stride: Any, fastest: Any) -> tuple[Any, ...]:
     _s0 = abs(per_reach)
     _s1 = p_gravity + ((fastest * fastest) * _s0)
-    _s2 = _k122 * _s1
+    _s2 = _k123 * _s1
     _s3 = force_rate < _k2
     _s4 = (force < (-_s2)) or ((force <= _s2) and _s3)
     _s5 = -(force_rate + friction_force_rate)
     _s6 = force + (((_s5 * _s5) / (p_gravity * (_s0 * _s1))) if (_s5 < _k2) else _k2)
     _s7 = _s4 and (_s2 < _s6)
     _s8 = _s4 and (not _s7)
-    _s9 = (((abs(vx) + abs(vy)) + abs(vz)) <= (_k122 * _root((p_ball_radius * p_gravity)))) and (((abs(vx_1) + abs(vy_1)) + abs(vz_1)) <= (_k122 * p_gravity))
+    _s9 = (((abs(vx) + abs(vy)) + abs(vz)) <= (_k123 * _root((p_ball_radius * p_gravity)))) and (((abs(vx_1) + abs(vy_1)) + abs(vz_1)) <= (_k123 * p_gravity))
     _s10 = force_rate * force_rate
-    _s11 = force_bend + (_k117 * _s1)
+    _s11 = force_bend + (_k118 * _s1)
     _s12 = _s6 if _s7 else (_k2 if force < _k2 else force)
     _s13 = _s10 + ((_k44 * _s11) * _s12)
     _s14 = _root(_s13)
     _s15 = (((_k44 * _s12) if _s3 else (force_rate + _s14)) / ((_s14 - force_rate) if _s3 else (_s11 if _k2 < _s11 else _k2))) if (_k2 <= _s13) else _k7
-    _s16 = ((_k58 * _s0) * ((position_error * _s1) + (velocity_error * fastest))) + _s2
-    _s17 = _s7 or ((abs(force) <= _s16) and (not (((_k58 * _s11) * _s16) < _s10)))
-    return _k2 if (_s8 or _s9) else (_s15 if _s15 < stride else stride), _k6 if (_s8 and (which == _k66)) else which, _s9 and (not _s8), _k2 if _s17 else undecided_time
+    _s16 = ((_k59 * _s0) * ((position_error * _s1) + (velocity_error * fastest))) + _s2
+    _s17 = _s7 or ((abs(force) <= _s16) and (not (((_k59 * _s11) * _s16) < _s10)))
+    return _k2 if (_s8 or _s9) else (_s15 if _s15 < stride else stride), _k6 if (_s8 and (which == _k67)) else which, _s9 and (not _s8), _k2 if _s17 else undecided_time
 
 
 def _beside_body_alone(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any, which: Any, earliest_delay: Any, undecided_time: Any, position_error: Any, nearing: Any, gap_curvature: Any, stride: Any, strongest: Any, fastest: Any) -> tuple[Any, ...]:
-    _s0 = _k124 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
+    _s0 = _k125 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
     _s1 = gap <= _s0
     _s2 = nearing < _k2
     _s3 = _s1 and _s2
     _s4 = nearing * nearing
     _s5 = strongest + (gap_curvature * (fastest * fastest))
-    _s6 = (_k119 * p_ball_radius) if _s1 else gap
+    _s6 = (_k120 * p_ball_radius) if _s1 else gap
     _s7 = _s4 + ((_k44 * _s5) * _s6)
     _s8 = _root(_s7)
     _s9 = (((_k44 * _s6) if _s2 else (nearing + _s8)) / ((_s8 - nearing) if _s2 else (_s5 if _k2 < _s5 else _k2))) if (_k2 <= _s7) else _k7
-    _s10 = which == _k66
+    _s10 = which == _k67
     _s11 = _s3 and _s10
     _s12 = (_k44 * position_error) + _s0
-    _s13 = (((gap <= _s12) and ((-_s12) <= gap)) and (not (((_k58 * _s12) * _s5) < _s4))) or (_s3 and (not _s10))
+    _s13 = (((gap <= _s12) and ((-_s12) <= gap)) and (not (((_k59 * _s12) * _s5) < _s4))) or (_s3 and (not _s10))
     return _k2 if _s3 else (_s9 if _s9 < stride else stride), index if _s11 else which, _k2 if _s13 else undecided_time, ((_k44 * _s12) / abs(nearing)) if _s11 else earliest_delay
 
 
 def _beside_end_plane_alone(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, index: Any, which: Any, earliest_delay: Any, undecided_time: Any, position_error: Any, nearing: Any, gap_curvature: Any, stride: Any, strongest: Any, fastest: Any) -> tuple[Any, ...]:
-    _s0 = _k124 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
+    _s0 = _k125 * (((p_ball_radius + abs(x)) + abs(y)) + abs(z))
     _s1 = nearing < _k2
     _s2 = ((gap <= _s0) and _s1) and ((-_s0) <= gap)
     _s3 = nearing * nearing
@@ -7430,10 +7431,10 @@ def _beside_end_plane_alone(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any
     _s6 = _s3 + ((_k44 * _s4) * _s5)
     _s7 = _root(_s6)
     _s8 = ((((_k44 * _s5) if _s1 else (nearing + _s7)) / ((_s7 - nearing) if _s1 else (_s4 if _k2 < _s4 else _k2))) if (_k2 <= _s6) else _k7) if (_k2 < gap) else _k7
-    _s9 = which == _k66
+    _s9 = which == _k67
     _s10 = _s2 and _s9
     _s11 = (_k44 * position_error) + _s0
-    _s12 = (((gap <= _s11) and ((-_s11) <= gap)) and (not (((_k58 * _s11) * _s4) < _s3))) or (_s2 and (not _s9))
+    _s12 = (((gap <= _s11) and ((-_s11) <= gap)) and (not (((_k59 * _s11) * _s4) < _s3))) or (_s2 and (not _s9))
     return _k2 if _s2 else (_s8 if _s8 < stride else stride), index if _s10 else which, _k2 if _s12 else undecided_time, ((_k44 * _s11) / abs(nearing)) if _s10 else earliest_delay
 
 
@@ -7452,11 +7453,11 @@ def _beside_seam_alone(gap: Any, near: Any, nearing: Any, stride: Any, strongest
 def _beside_time_alone(which: Any, clock: Any, time_limit: Any, stride: Any) -> tuple[Any, ...]:
     _s0 = time_limit - clock
     _s1 = _s0 if _s0 < stride else stride
-    return _s1 if _k2 < _s1 else _k2, _k73 if ((not (clock < time_limit)) and (which == _k66)) else which
+    return _s1 if _k2 < _s1 else _k2, _k74 if ((not (clock < time_limit)) and (which == _k67)) else which
 
 
 def _rolled_on_alone(which: Any, clock: Any, stride: Any, rests: Any) -> tuple[Any, ...]:
-    return clock + stride, (which == _k66) and (not rests)
+    return clock + stride, (which == _k67) and (not rests)
 
 
 def _no_contact_alone() -> tuple[Any, ...]:
@@ -7464,7 +7465,7 @@ def _no_contact_alone() -> tuple[Any, ...]:
 
 
 def _neighbour_free_time_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: Any, free_time: Any, nearing: Any, gap_curvature: Any) -> tuple[Any, ...]:
-    _s0 = (((_k125 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
+    _s0 = (((_k126 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
     _s1 = p_gravity + (gap_curvature * (_s0 * _s0))
     _s2 = _k2 if gap < _k2 else gap
     _s3 = (nearing * nearing) + ((_k44 * _s1) * _s2)
@@ -7477,7 +7478,7 @@ def _neighbour_free_time_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: A
 def _end_plane_free_time_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: Any, undecided_time: Any, free_time: Any, nearing: Any, gap_curvature: Any) -> tuple[Any, ...]:
     _s0 = _k2 < gap
     _s1 = nearing * nearing
-    _s2 = (((_k125 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
+    _s2 = (((_k126 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
     _s3 = p_gravity + (gap_curvature * (_s2 * _s2))
     _s4 = _k2 if gap < _k2 else gap
     _s5 = _k44 * _s3
@@ -7493,7 +7494,7 @@ def _end_plane_free_time_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, gap: A
     _s15 = (-nearing) < _k2
     _s16 = (((_k44 * _s12) if _s15 else (_s14 - nearing)) / ((nearing + _s14) if _s15 else _s8)) if (_k2 <= _s13) else _k7
     _s17 = abs(nearing) / _s3
-    return (_s10 if _s10 < free_time else free_time) if _s0 else free_time, undecided_time if (_s0 or (_k125 < (_s17 if _s16 < _s17 else _s16))) else _k2
+    return (_s10 if _s10 < free_time else free_time) if _s0 else free_time, undecided_time if (_s0 or (_k126 < (_s17 if _s16 < _s17 else _s16))) else _k2
 
 
 def _seam_free_time_alone(p_gravity: Any, gap: Any, free_time: Any, near: Any, nearing: Any) -> tuple[Any, ...]:
@@ -7508,27 +7509,27 @@ def _seam_free_time_alone(p_gravity: Any, gap: Any, free_time: Any, near: Any, n
 
 def _separated_alone(p_gravity: Any, vx: Any, vy: Any, vz: Any, undecided_time: Any, position_error: Any, velocity_error: Any, clock: Any, time_limit: Any, per_reach: Any, free_time: Any, lift: Any, gap_jerk: Any, gap_snap: Any) -> tuple[Any, ...]:
     _s0 = time_limit - clock
-    _s1 = _k55 * free_time
-    _s2 = (((_k125 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
+    _s1 = _k56 * free_time
+    _s2 = (((_k126 * p_gravity) + abs(vx)) + abs(vy)) + abs(vz)
     _s3 = abs(per_reach)
     _s4 = p_gravity + ((_s2 * _s2) * _s3)
     _s5 = (_k1 + (_s2 * _s3)) + _root((p_gravity * _s3))
-    _s6 = (_k65 * _s4) * (_s5 * (_s5 * _s5))
+    _s6 = (_k66 * _s4) * (_s5 * (_s5 * _s5))
     _s7 = _k0 * gap_jerk
     _s8 = _root((_s7 / _s6))
-    _s9 = _k69 * _s6
+    _s9 = _k70 * _s6
     _s10 = abs(gap_snap) + _s9
     _s11 = _s7 / _s10
     _s12 = lift if _k2 < lift else _k2
-    _s13 = _root(((_k128 * _s12) / _s6))
+    _s13 = _root(((_k129 * _s12) / _s6))
     _s14 = _root(((_k0 * _s12) / _s10))
-    _s15 = _s12 / ((_k73 * abs(gap_jerk)) + _s9)
+    _s15 = _s12 / ((_k74 * abs(gap_jerk)) + _s9)
     _s16 = _s14 if _s14 < _s15 else _s15
     _s17 = (_s8 if _s8 < _s11 else _s11) if (_k2 < gap_jerk) else (_s13 if _s13 < _s16 else _s16)
-    _s18 = _s17 if _s17 < _k125 else _k125
+    _s18 = _s17 if _s17 < _k126 else _k126
     _s19 = _s1 if _s1 < _s18 else _s18
     _s20 = _s0 if _s0 < _s19 else _s19
-    _s21 = (_k122 * p_gravity) + ((_k47 * ((position_error * _s4) + (velocity_error * _s2))) * _s3)
+    _s21 = (_k123 * p_gravity) + ((_k48 * ((position_error * _s4) + (velocity_error * _s2))) * _s3)
     return _s20 if _k2 < _s20 else _k2, undecided_time if (((_s21 * _s5) < gap_jerk) or (_s21 < lift)) else _k2
 
 
@@ -7545,8 +7546,8 @@ def _neighbour_scale_alone(p_ball_radius: Any, dx: Any, dy: Any, dz: Any, dvx: A
     _s9 = abs(dy)
     _s10 = _s9 if _s8 < _s9 else _s8
     _s11 = abs(dz)
-    _s12 = ((_k57 * p_ball_radius) + (_k59 * ((p_ball_radius * (_s3 if _s2 < _s3 else _s2)) + (_s7 if _s6 < _s7 else _s6)))) + (_s11 if _s10 < _s11 else _s10)
-    return (_k129 * p_ball_radius) / _s12,
+    _s12 = ((_k58 * p_ball_radius) + (_k60 * ((p_ball_radius * (_s3 if _s2 < _s3 else _s2)) + (_s7 if _s6 < _s7 else _s6)))) + (_s11 if _s10 < _s11 else _s10)
+    return (_k130 * p_ball_radius) / _s12,
 
 
 def _neighbour_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, neighbour_scale: Any) -> tuple[Any, ...]:
@@ -7574,7 +7575,7 @@ def _compared_alone(p_ball_radius: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
 
 
 def _resumed_alone(last: Any, position_error: Any, velocity_error: Any, clock: Any, mode: Any) -> tuple[Any, ...]:
-    return last if (mode == _k95) else _k66, _k2, clock, _k7 if ((position_error < _k7) and (velocity_error < _k7)) else _k2, mode == _k1, mode == _k44, mode == _k86, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2
+    return last if (mode == _k96) else _k67, _k2, clock, _k7 if ((position_error < _k7) and (velocity_error < _k7)) else _k2, mode == _k1, mode == _k44, mode == _k87, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2, _k2
 
 
 def _holding_alone(index: Any, held: Any) -> tuple[Any, ...]:
@@ -7586,11 +7587,11 @@ def _beside_alone(index: Any, held: Any) -> tuple[Any, ...]:
 
 
 def _beginning_contact_alone() -> tuple[Any, ...]:
-    return _k95, _k2
+    return _k96, _k2
 
 
 def _detachment_alone() -> tuple[Any, ...]:
-    return _k100,
+    return _k101,
 
 
 def _ring_friction_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any) -> tuple[Any, ...]:
@@ -7603,7 +7604,7 @@ def _ring_friction_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, n
     _s6 = (_k44 * _s2) * (((((nx_0 * _s5) + (nx_1 * _s0)) + (turn_rate_0 * tx_1)) + (turn_rate_1 * tx_0)) * _s1)
     _s7 = (_k44 * _s3) * (((((ny_0 * _s5) + (ny_1 * _s0)) + (turn_rate_0 * ty_1)) + (turn_rate_1 * ty_0)) * _s1)
     _s8 = (_k44 * _s4) * (((((nz_0 * _s5) + (nz_1 * _s0)) + (turn_rate_0 * tz_1)) + (turn_rate_1 * tz_0)) * _s1)
-    return ((_s2 * _s2) + (_s3 * _s3)) + (_s4 * _s4), (_s6 + _s7) + _s8, _k131, _k2
+    return ((_s2 * _s2) + (_s3 * _s3)) + (_s4 * _s4), (_s6 + _s7) + _s8, _k132, _k2
 
 
 def _forget_grip_deficit_alone() -> tuple[Any, ...]:
@@ -7623,9 +7624,9 @@ def _grip_lost_time_alone(clock: Any, grip_deficit: Any, grip_deficit_rate: Any,
     _s5 = grip_deficit_rate * _s0
     _s6 = last_grip_deficit_rate * _s0
     _s7 = (_s5 + _s6) - (_k44 * _s1)
-    _s8 = ((_k86 * _s1) - _s5) - (_k44 * _s6)
+    _s8 = ((_k87 * _s1) - _s5) - (_k44 * _s6)
     _s9 = last_grip_deficit + (((((_s7 * _s4) + _s8) * _s4) + _s6) * _s4)
-    _s10 = _k86 * _s7
+    _s10 = _k87 * _s7
     _s11 = _k44 * _s8
     _s12 = (((_s10 * _s4) + _s11) * _s4) + _s6
     _s13 = _s4 - (_s9 / (_s12 if (_k2 < _s12) else _s1))
@@ -7668,9 +7669,9 @@ def _ring_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, positi
     _s0 = speed + (p_gravity * horizon)
     _s1 = horizon * _s0
     _s2 = (position_error + (horizon * velocity_error)) - (share * (_s1 + (extent + _s1)))
-    _s3 = _k174 * (p_ball_radius + p_wire_radius)
+    _s3 = _k175 * (p_ball_radius + p_wire_radius)
     _s4 = p_ring_radius - _s3
-    _s5 = _k175 * p_ring_radius
+    _s5 = _k176 * p_ring_radius
     _s6 = _s3 / (_s5 if _s4 < _s5 else _s4)
     _s7 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * _s2) + (_s3 * (velocity_error - (share * _s0)))
     return _s7 if _s2 < _s7 else _s2,
@@ -7679,44 +7680,44 @@ def _ring_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, positi
 def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = vz * vz
     _s1 = (vx * vx) + (vy * vy)
-    _s2 = ((_k44 * _s0) + ((_k73 * p_gravity) * z)) + (_k44 * _s1)
+    _s2 = ((_k44 * _s0) + ((_k74 * p_gravity) * z)) + (_k44 * _s1)
     _s3 = (x * vy) - (y * vx)
     _s4 = _s3 * _s3
     _s5 = (_k44 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = _k174 * _s7
+    _s8 = _k175 * _s7
     _s9 = _k44 * p_gravity
-    _s10 = _k76 * (_s0 + (_s9 * (abs(z) + _s8)))
+    _s10 = _k77 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
     _s12 = _k1 / p_gravity
     _s13 = _root(_s11)
-    _s14 = _k74 * (abs(vz) + _s13)
+    _s14 = _k75 * (abs(vz) + _s13)
     _s15 = _k2 <= _s11
     _s16 = (_s12 * ((vz - _s13) - _s14)) if _s15 else _k7
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = (_k74 * _s1) * (_s18 + _s6)
+    _s19 = (_k75 * _s1) * (_s18 + _s6)
     _s20 = ((_s18 * _s1) + _s19) - _s4
     _s21 = (x * vx) + (y * vy)
     _s22 = _root(_s20)
-    _s23 = _k74 * ((abs(_s21) + abs(_s3)) + _s22)
+    _s23 = _k75 * ((abs(_s21) + abs(_s3)) + _s22)
     _s24 = _k1 / _s1
     _s25 = _k2 <= _s20
-    _s26 = _k181 < _s1
-    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k7) if _s26 else _k131
+    _s26 = _k182 < _s1
+    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k7) if _s26 else _k132
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = _k175 * p_ring_radius
+    _s30 = _k176 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k131) if _s26 else _k7
+    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k132) if _s26 else _k7
     _s35 = _k2 < (_s32 if _s26 else _k2)
     _s36 = (((_s23 - _s21) - _s33) * _s24) if _s35 else _s34
     _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
     _s38 = _root((_k2 if _s37 < _k2 else _s37))
-    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k131
+    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k132
     _s40 = _k2 < _s37
     _s41 = (_s12 * ((vz + _s14) - _s38)) if _s40 else _s39
     _s42 = _s36 if _s36 < _s41 else _s41
@@ -7735,28 +7736,28 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (_k176 * p_ring_radius) - (p_ring_radius - _s7)
+    _s58 = (_k177 * p_ring_radius) - (p_ring_radius - _s7)
     _s59 = _root(_k44) * _root((_s12 * (((_k44 * p_ball_radius) + (_k44 * p_wire_radius)) + extent)))
     _s60 = _s59 + ((_k44 * speed) * _s12)
     _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k41 * p_ball_radius)) - (_k41 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k178 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k179 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = _k174 * _s0
+    _s2 = _k175 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (_k18 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = _k175 * p_ring_radius
+    _s8 = _k176 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
     _s10 = _s9 if _k1 < _s9 else _k1
-    _s11 = _k95 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k62 * _s1))))
-    _s12 = _k15 * ((((_k185 * _s1) * ((_s5 * _s10) + _s4)) + (_k18 * _s3)) + _s11)
-    return _k15 * ((((_k18 * horizon) * _s3) + ((_k183 * _s0) * _s4)) + ((_k184 * _s0) * _s6)), _s12, _k15 * ((_k185 * (_s4 * _s1)) + _s11)
+    _s11 = _k96 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k63 * _s1))))
+    _s12 = _k15 * ((((_k186 * _s1) * ((_s5 * _s10) + _s4)) + (_k18 * _s3)) + _s11)
+    return _k15 * ((((_k18 * horizon) * _s3) + ((_k184 * _s0) * _s4)) + ((_k185 * _s0) * _s6)), _s12, _k15 * ((_k186 * (_s4 * _s1)) + _s11)
 
 
 def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7794,77 +7795,77 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s15 = _k6 * p_gravity
     _s16 = _s15 * _s8
     _s17 = moment2 * (_s11 * (_s11 * _s11))
-    _s18 = _k174 * _s9
-    _s19 = _k117 * (p_ring_radius + _s18)
+    _s18 = _k175 * _s9
+    _s19 = _k118 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
     _s22 = _k2 if _s21 < _k2 else _s21
     _s23 = (_s16 + _s17) - energy2
     _s24 = _s20 < _k2
     _s25 = _k44 * _s22
-    _s26 = _k7 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k73 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
+    _s26 = _k7 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k74 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
     _s27 = end - t
     _s28 = _s26 if _s26 < _s27 else _s27
     _s29 = _s19 + ((_s28 * (_k2 if _s13 < _k2 else _s13)) + _s8)
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
     _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = _k175 * p_ring_radius
+    _s33 = _k176 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = moment2 * (_s35 * (_s35 * _s35))
-    _s37 = ((_s30 + _s36) + (_k117 * ((_s36 + abs(energy2)) + abs(_s30)))) - energy2
+    _s37 = ((_s30 + _s36) + (_k118 * ((_s36 + abs(energy2)) + abs(_s30)))) - energy2
     _s38 = ((_k44 * _s37) * _s22) + (_s20 * _s20)
     _s39 = _root(_s38)
     _s40 = ((_s25 if _s24 else (_s20 + _s39)) / ((_s39 - _s20) if _s24 else (_s37 if _k2 < _s37 else _k2))) if (_k2 <= _s38) else _k7
     _s41 = _s40 if _s40 < _s28 else _s28
     _s42 = -(rate_margin + _s14)
-    return _s10, _s14, (energy2 - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k58 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
+    return _s10, _s14, (energy2 - _s16) - _s17, _s41, t + _s41, ((_s42 * _s42) - ((_k59 * ceiling) * (margin + _s25))) if (_k2 < _s42) else _s42
 
 
 def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = vz * vz
-    _s1 = _k186 * (p_ball_radius + p_wire_radius)
+    _s1 = _k187 * (p_ball_radius + p_wire_radius)
     _s2 = _k33 * p_gravity
-    _s3 = _k195 * (_s0 + (_s2 * (abs(z) + _s1)))
+    _s3 = _k196 * (_s0 + (_s2 * (abs(z) + _s1)))
     _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
-    _s5 = _k141 / p_gravity
+    _s5 = _k142 / p_gravity
     _s6 = _root(_s4)
-    _s7 = _k160 * (abs(vz) + _s6)
+    _s7 = _k161 * (abs(vz) + _s6)
     _s8 = _k34 <= _s4
     _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k36
     _s10 = (vx * vx) + (vy * vy)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = (_k160 * _s10) * (_s12 + ((x * x) + (y * y)))
+    _s13 = (_k161 * _s10) * (_s12 + ((x * x) + (y * y)))
     _s14 = (x * vy) - (y * vx)
     _s15 = _s14 * _s14
     _s16 = ((_s12 * _s10) + _s13) - _s15
     _s17 = (x * vx) + (y * vy)
     _s18 = _root(_s16)
-    _s19 = _k160 * ((abs(_s17) + abs(_s14)) + _s18)
-    _s20 = _k141 / _s10
+    _s19 = _k161 * ((abs(_s17) + abs(_s14)) + _s18)
+    _s20 = _k142 / _s10
     _s21 = _k34 <= _s16
-    _s22 = _k196 < _s10
-    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k36) if _s22 else _k197
+    _s22 = _k197 < _s10
+    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k36) if _s22 else _k198
     _s24 = _s23 if _s9 < _s23 else _s9
     _s25 = _s24 if _k34 < _s24 else _k34
     _s26 = _s25 if _k34 < _s25 else _k34
     _s27 = p_ring_radius - _s1
-    _s28 = _k190 * p_ring_radius
+    _s28 = _k191 * p_ring_radius
     _s29 = _s28 if _s27 < _s28 else _s27
     _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15
     _s31 = _root((_k34 if _s30 < _k34 else _s30))
-    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k197) if _s22 else _k36
+    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k198) if _s22 else _k36
     _s33 = _k34 < (_s30 if _s22 else _k34)
     _s34 = (((_s19 - _s17) - _s31) * _s20) if _s33 else _s32
     _s35 = (_s0 + (_s2 * (z - _s1))) - _s3
     _s36 = _root((_k34 if _s35 < _k34 else _s35))
-    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k197
+    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k198
     _s38 = _k34 < _s35
     _s39 = (_s5 * ((vz + _s7) - _s36)) if _s38 else _s37
     _s40 = _s34 if _s34 < _s39 else _s39
-    _s41 = _k198 * horizon
+    _s41 = _k199 * horizon
     _s42 = _s40 if _s40 < _s41 else _s41
     _s43 = _s26 < _s42
     _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k36
@@ -7889,38 +7890,38 @@ def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, v
     _s63 = _s40 if _k34 < _s40 else _k34
     _s64 = _s54 if _s63 < _s54 else _s63
     _s65 = _s60 if _s64 < _s60 else _s64
-    _s66 = (((_s11 <= (_k147 * _s29)) and (_s11 <= ((_k147 * p_ball_radius) + (_k147 * p_wire_radius)))) and (_s11 <= _k192)) and (_k193 <= _s29)
-    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k34)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k34)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k192)) and (_k193 <= p_gravity)) and (extent <= _k192)) and (speed <= _k192)
+    _s66 = (((_s11 <= (_k148 * _s29)) and (_s11 <= ((_k148 * p_ball_radius) + (_k148 * p_wire_radius)))) and (_s11 <= _k193)) and (_k194 <= _s29)
+    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k34)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k34)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k193)) and (_k194 <= p_gravity)) and (extent <= _k193)) and (speed <= _k193)
 
 
 def _ring_resolution_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = _k34 < leaving
     _s1 = speed + (p_gravity * horizon)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k186 * _s2
+    _s3 = _k187 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k190 * p_ring_radius
+    _s5 = _k191 * p_ring_radius
     _s6 = _s5 if _s4 < _s5 else _s4
     _s7 = _s2 / _s6
-    _s8 = _s7 if _k141 < _s7 else _k141
+    _s8 = _s7 if _k142 < _s7 else _k142
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
-    _s11 = _k159 * ((_s9 * _s10) + (_s2 * _s1))
-    _s12 = (_k209 * start_rate) / _s11
-    _s13 = _s12 if _s12 < _k210 else _k210
-    _s14 = (_s13 if _k208 < _s13 else _k208) if _s0 else _k210
-    _s15 = ((_k33 * (vz * vz)) + ((_k163 * p_gravity) * z)) + (_k33 * ((vx * vx) + (vy * vy)))
+    _s11 = _k160 * ((_s9 * _s10) + (_s2 * _s1))
+    _s12 = (_k210 * start_rate) / _s11
+    _s13 = _s12 if _s12 < _k211 else _k211
+    _s14 = (_s13 if _k209 < _s13 else _k209) if _s0 else _k211
+    _s15 = ((_k33 * (vz * vz)) + ((_k164 * p_gravity) * z)) + (_k33 * ((vx * vx) + (vy * vy)))
     _s16 = (x * vy) - (y * vx)
     _s17 = (_k33 * p_ring_radius) * (_s16 * _s16)
-    _s18 = _k141 / _s6
+    _s18 = _k142 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = (((_k202 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
+    _s20 = (((_k203 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
     _s21 = horizon - t
     _s22 = p_gravity * (_s21 * _s21)
     _s23 = p_ring_radius + _s3
-    _s24 = (_s10 * _s14) + (_k160 * (_s22 + _s23))
+    _s24 = (_s10 * _s14) + (_k161 * (_s22 + _s23))
     _s25 = (_k20 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
-    return _s14, _k34, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k35 * _s20, (_k204 * _s2) * _s24, (_k35 * ((_k195 * abs(start_rate)) + ((_k211 + _s14) * _s11))) if _s0 else _k36, _k35 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k154 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k159 * (((_k35 * _s9) * _s24) + (((_k212 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k207 * p_ball_radius) + (_k207 * p_wire_radius))) and ((t * leaving) <= _k34)
+    return _s14, _k34, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k35 * _s20, (_k205 * _s2) * _s24, (_k35 * ((_k196 * abs(start_rate)) + ((_k212 + _s14) * _s11))) if _s0 else _k36, _k35 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k155 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k160 * (((_k35 * _s9) * _s24) + (((_k213 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k208 * p_ball_radius) + (_k208 * p_wire_radius))) and ((t * leaving) <= _k34)
 
 
 def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7935,7 +7936,7 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s8 = y + (vy * t)
     _s9 = _root(((_s7 * _s7) + (_s8 * _s8)))
     _s10 = rho_start + _s9
-    _s11 = _k141 / (_s10 * _s9)
+    _s11 = _k142 / (_s10 * _s9)
     _s12 = _s9 * _s11
     _s13 = _s12 * ((t * _s6) + (_k33 * ((x * vx) + (y * vy))))
     _s14 = vz - ((_k20 * p_gravity) * t)
@@ -7954,32 +7955,32 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s27 = _k34 if _s26 < _k34 else _s26
     _s28 = _k33 * (_s27 + (_k33 * _s25))
     _s29 = _s22 - _s5
-    _s30 = _k213 * p_gravity
+    _s30 = _k214 * p_gravity
     _s31 = _s30 * _s20
     _s32 = moment2 * (_s17 * (_s17 * _s17))
     _s33 = (_s31 + _s32) - energy2
     _s34 = _s29 < _k34
     _s35 = _k33 * _s27
-    _s36 = _k36 if (_k34 < (_s27 if (_k34 <= _s29) else _k34)) else (((_s35 + (_k219 * _s25)) if _s34 else (_k163 * _s29)) / ((-_s29) if _s34 else (_s33 if _k34 < _s33 else _k34)))
+    _s36 = _k36 if (_k34 < (_s27 if (_k34 <= _s29) else _k34)) else (((_s35 + (_k220 * _s25)) if _s34 else (_k164 * _s29)) / ((-_s29) if _s34 else (_s33 if _k34 < _s33 else _k34)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
-    _s39 = _k186 * _s24
-    _s40 = ((_k190 * p_ball_radius) + (_k190 * p_wire_radius)) + ((_s38 * (_k34 if _s21 < _k34 else _s21)) + _s20)
+    _s39 = _k187 * _s24
+    _s40 = ((_k191 * p_ball_radius) + (_k191 * p_wire_radius)) + ((_s38 * (_k34 if _s21 < _k34 else _s21)) + _s20)
     _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
     _s42 = (abs(vx) + abs(vy)) * _s38
-    _s43 = (((_s38 * (_k34 if _k34 < _s18 else _s18)) + _s9) - (_k190 * _s42)) - (_k160 * (p_ring_radius + _s39))
+    _s43 = (((_s38 * (_k34 if _k34 < _s18 else _s18)) + _s9) - (_k191 * _s42)) - (_k161 * (p_ring_radius + _s39))
     _s44 = p_ring_radius - _s39
-    _s45 = _k190 * p_ring_radius
+    _s45 = _k191 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
-    _s47 = _k141 / (_s46 if _s43 < _s46 else _s43)
+    _s47 = _k142 / (_s46 if _s43 < _s46 else _s43)
     _s48 = moment2 * (_s47 * (_s47 * _s47))
     _s49 = abs(energy2)
-    _s50 = ((_s41 + _s48) + (_k220 * ((_s48 + _s49) + abs(_s41)))) - energy2
+    _s50 = ((_s41 + _s48) + (_k221 * ((_s48 + _s49) + abs(_s41)))) - energy2
     _s51 = -_s21
-    _s52 = (_s30 * (((_k193 * p_ball_radius) + (_k193 * p_wire_radius)) + (((p_gravity * _s38) + (_k34 if _s51 < _k34 else _s51)) * _s38))) + ((_k221 * (_s32 * _s17)) * _s42)
-    _s53 = energy2 + (_s52 + (_k193 * ((_s49 + abs(_s31)) + _s32)))
+    _s52 = (_s30 * (((_k194 * p_ball_radius) + (_k194 * p_wire_radius)) + (((p_gravity * _s38) + (_k34 if _s51 < _k34 else _s51)) * _s38))) + ((_k222 * (_s32 * _s17)) * _s42)
+    _s53 = energy2 + (_s52 + (_k194 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
-    _s55 = ((_s23 * _s23) - ((_k219 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k34 < _s23) else _s23
+    _s55 = ((_s23 * _s23) - ((_k220 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k34 < _s23) else _s23
     _s56 = _k34 < _s55
     _s57 = ((_k33 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
@@ -8005,10 +8006,10 @@ def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_rin
 def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = speed + (p_gravity * horizon)
     _s1 = share * (extent + (horizon * _s0))
-    _s2 = _k174 * (p_ball_radius + p_wire_radius)
-    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k222 * (p_ring_radius + _s2))
+    _s2 = _k175 * (p_ball_radius + p_wire_radius)
+    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k223 * (p_ring_radius + _s2))
     _s4 = p_ring_radius - _s2
-    _s5 = _k175 * p_ring_radius
+    _s5 = _k176 * p_ring_radius
     _s6 = _s2 / (_s5 if _s4 < _s5 else _s4)
     _s7 = (position_error + ((_k0 * horizon) * velocity_error)) - _s1
     _s8 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * (_s3 if _s7 < _s3 else _s7)) + (_s2 * (velocity_error - (share * _s0)))
@@ -8016,7 +8017,7 @@ def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any,
 
 
 def _ring_budget_exceeded_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    _s0 = (_k176 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s0 = (_k177 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = _k1 / p_gravity
     _s2 = _root(_k44) * _root((_s1 * (((_k44 * p_ball_radius) + (_k44 * p_wire_radius)) + extent)))
     _s3 = _s2 + ((_k44 * speed) * _s1)
@@ -8068,7 +8069,7 @@ def _ring_separation_alone(p_gravity: Any, p_ring_radius: Any, x: Any, y: Any, z
     _s21 = _k44 * _s12
     _s22 = -((_s14 * _s11) + ((_s21 * _s3) * _s2))
     _s23 = _k0 * (_s20 + (_s20 + (_s0 * _s22)))
-    _s24 = (_k44 * (-((_k86 * p_gravity) * vz))) + (_k44 * ((_s5 * _s14) + ((_s3 * _s14) + (_s4 * _s23))))
+    _s24 = (_k44 * (-((_k87 * p_gravity) * vz))) + (_k44 * ((_s5 * _s14) + ((_s3 * _s14) + (_s4 * _s23))))
     _s25 = _k0 * ((_s17 + (_s6 * _s19)) + (_s17 + (_s24 * _s7)))
     _s26 = _s10 * _s24
     _s27 = _s3 * _s23
@@ -8076,7 +8077,7 @@ def _ring_separation_alone(p_gravity: Any, p_ring_radius: Any, x: Any, y: Any, z
     _s29 = _s13 * _s22
     _s30 = ((_s23 * _s11) + ((_s21 * _s14) * _s2)) + (_k44 * ((((_s12 * _s12) * _s3) + ((_s12 * _s14) * _s2)) + ((_s3 * _s22) * _s2)))
     _s31 = _k0 * (_s29 + (_s29 + ((_s0 * (-_s30)) + _s29)))
-    _s32 = (_k44 * (_k86 * (p_gravity * p_gravity))) + (_k44 * ((_k44 * _s28) + ((_s27 + (_s4 * _s31)) + _s28)))
+    _s32 = (_k44 * (_k87 * (p_gravity * p_gravity))) + (_k44 * ((_k44 * _s28) + ((_s27 + (_s4 * _s31)) + _s28)))
     _s33 = _s15 * _s19
     _s34 = _s26 + _s33
     _s35 = ((_s25 * _s9) + ((_s18 * _s16) * _s7)) + (_k44 * ((((_s10 * _s10) * _s8) + ((_s10 * _s16) * _s7)) + ((_s8 * _s19) * _s7)))
@@ -8111,16 +8112,16 @@ def _ring_round_moved_alone(p_ball_radius: Any, p_ring_radius: Any, p_wire_radiu
     _s9 = _s3 * _s8
     _s10 = p_ball_radius + p_wire_radius
     _s11 = p_ring_radius + (_s9 * _s10)
-    _s12 = t * ((_k238 * omega_9) + (t * ((_k239 * omega_10) + ((_k240 * t) * omega_11))))
-    _s13 = (_k98 * omega_6) + (t * ((_k59 * omega_7) + (t * ((_k102 * omega_8) + _s12))))
-    _s14 = (_k55 * omega_3) + (t * ((_k92 * omega_4) + (t * ((_k96 * omega_5) + (t * _s13)))))
-    _s15 = omega_0 + (t * ((_k0 * omega_1) + (t * ((_k88 * omega_2) + (t * _s14)))))
+    _s12 = t * ((_k239 * omega_9) + (t * ((_k240 * omega_10) + ((_k241 * t) * omega_11))))
+    _s13 = (_k99 * omega_6) + (t * ((_k60 * omega_7) + (t * ((_k103 * omega_8) + _s12))))
+    _s14 = (_k56 * omega_3) + (t * ((_k93 * omega_4) + (t * ((_k97 * omega_5) + (t * _s13)))))
+    _s15 = omega_0 + (t * ((_k0 * omega_1) + (t * ((_k89 * omega_2) + (t * _s14)))))
     _s16 = t * _s15
     _s17 = _s16 * _s16
-    _s18 = ((_k236 + (((_k237 * _s17) - _k241) * _s17)) * _s17) - _k242
-    _s19 = _k1 + ((((_k235 + (_s18 * _s17)) * _s17) - _k0) * _s17)
-    _s20 = _k243 + ((((_k244 - (_k245 * _s17)) * _s17) - _k246) * _s17)
-    _s21 = _s16 * (_k1 + (((_s20 * _s17) - _k96) * _s17))
+    _s18 = ((_k237 + (((_k238 * _s17) - _k242) * _s17)) * _s17) - _k243
+    _s19 = _k1 + ((((_k236 + (_s18 * _s17)) * _s17) - _k0) * _s17)
+    _s20 = _k244 + ((((_k245 - (_k246 * _s17)) * _s17) - _k247) * _s17)
+    _s21 = _s16 * (_k1 + (((_s20 * _s17) - _k97) * _s17))
     _s22 = (cos_0 * _s19) - (sin_0 * _s21)
     _s23 = (cos_0 * _s21) + (sin_0 * _s19)
     _s24 = _s7 * _s8
@@ -8148,37 +8149,37 @@ def _ring_round_step_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p
     _s1 = p_ball_radius + p_wire_radius
     _s2 = abs(along_0)
     _s3 = (_s0 * _s1) + (abs(turn_rate_0) + _s2)
-    _s4 = (_k67 * p_gravity) + _s3
+    _s4 = (_k68 * p_gravity) + _s3
     _s5 = abs(climb_11)
     _s6 = abs(along_11)
     _s7 = abs(climb_12)
     _s8 = abs(along_12)
-    _s9 = ((_k55 * ((per_reach * _s3) + _root((p_gravity * per_reach)))) * ((_s5 * _s1) + (abs(turn_rate_11) + _s6))) + ((_s7 * _s1) + (abs(turn_rate_12) + _s8))
+    _s9 = ((_k56 * ((per_reach * _s3) + _root((p_gravity * per_reach)))) * ((_s5 * _s1) + (abs(turn_rate_11) + _s6))) + ((_s7 * _s1) + (abs(turn_rate_12) + _s8))
     _s10 = abs(omega_0)
     _s11 = omega_0 * omega_0
-    _s12 = (_k73 * _s10) * (_k47 * _s11)
+    _s12 = (_k74 * _s10) * (_k48 * _s11)
     _s13 = _s12 * _s12
-    _s14 = _s4 * ((abs(cosine_12) + abs(sine_12)) + (_k253 * (_s13 * _s13)))
-    _s15 = _root(_root(((_k253 * _s4) / (_s14 if _s9 < _s14 else _s9))))
+    _s14 = _s4 * ((abs(cosine_12) + abs(sine_12)) + (_k254 * (_s13 * _s13)))
+    _s15 = _root(_root(((_k254 * _s4) / (_s14 if _s9 < _s14 else _s9))))
     _s16 = _root(_root(_s15))
-    _s17 = (_k252 * _s16) * _root(_root(_s16))
+    _s17 = (_k253 * _s16) * _root(_root(_s16))
     _s18 = _s17 * (_s17 * _s17)
     _s19 = ((_s18 + (_k44 * _s15)) / ((_k44 * _s18) + _s15)) * _s17
-    _s20 = _s19 if _s19 < _k60 else _k60
+    _s20 = _s19 if _s19 < _k61 else _k61
     _s21 = abs(climb_10)
-    _s22 = (((((_k43 * _s7) * _s20) + (_k254 * _s5)) * _s20) + (_k255 * _s21)) * _s20
+    _s22 = (((((_k43 * _s7) * _s20) + (_k255 * _s5)) * _s20) + (_k256 * _s21)) * _s20
     _s23 = abs(climb_9)
     _s24 = abs(climb_8)
     _s25 = abs(climb_7)
-    _s26 = ((((_s22 + (_k256 * _s23)) * _s20) + (_k58 * _s24)) * _s20) + (_k100 * _s25)
+    _s26 = ((((_s22 + (_k257 * _s23)) * _s20) + (_k59 * _s24)) * _s20) + (_k101 * _s25)
     _s27 = abs(climb_6)
     _s28 = abs(climb_5)
     _s29 = abs(climb_4)
-    _s30 = (((((_s26 * _s20) + (_k6 * _s27)) * _s20) + (_k95 * _s28)) * _s20) + (_k73 * _s29)
+    _s30 = (((((_s26 * _s20) + (_k6 * _s27)) * _s20) + (_k96 * _s28)) * _s20) + (_k74 * _s29)
     _s31 = abs(climb_3)
     _s32 = abs(climb_2)
     _s33 = abs(climb_1)
-    _s34 = (((((_s30 * _s20) + (_k86 * _s31)) * _s20) + (_k44 * _s32)) * _s20) + _s33
+    _s34 = (((((_s30 * _s20) + (_k87 * _s31)) * _s20) + (_k44 * _s32)) * _s20) + _s33
     _s35 = (((((_s7 * _s20) + _s5) * _s20) + _s21) * _s20) + _s23
     _s36 = (((((_s35 * _s20) + _s24) * _s20) + _s25) * _s20) + _s27
     _s37 = (((((_s36 * _s20) + _s28) * _s20) + _s29) * _s20) + _s31
@@ -8214,18 +8215,18 @@ def _ring_round_step_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p
     _s67 = abs(along_1)
     _s68 = (((((_s65 * _s20) + _s66) * _s20) + _s67) * _s20) + _s2
     _s69 = (_s1 * _s38) + _s68
-    _s70 = (((((_k43 * _s8) * _s20) + (_k254 * _s6)) * _s20) + (_k255 * _s55)) * _s20
-    _s71 = ((((_s70 + (_k256 * _s56)) * _s20) + (_k58 * _s58)) * _s20) + (_k100 * _s59)
-    _s72 = (((((_s71 * _s20) + (_k6 * _s60)) * _s20) + (_k95 * _s62)) * _s20) + (_k73 * _s63)
-    _s73 = (((((_s72 * _s20) + (_k86 * _s64)) * _s20) + (_k44 * _s66)) * _s20) + _s67
+    _s70 = (((((_k43 * _s8) * _s20) + (_k255 * _s6)) * _s20) + (_k256 * _s55)) * _s20
+    _s71 = ((((_s70 + (_k257 * _s56)) * _s20) + (_k59 * _s58)) * _s20) + (_k101 * _s59)
+    _s72 = (((((_s71 * _s20) + (_k6 * _s60)) * _s20) + (_k96 * _s62)) * _s20) + (_k74 * _s63)
+    _s73 = (((((_s72 * _s20) + (_k87 * _s64)) * _s20) + (_k44 * _s66)) * _s20) + _s67
     _s74 = (climb_0 * climb_0) * _s1
     _s75 = along_0 * omega_0
     _s76 = p_inertia * (_k1 / (_k1 + p_inertia))
-    _s77 = p_gravity * (_k86 - (_k44 * _s76))
-    _s78 = _k86 * p_ring_radius
-    _s79 = (((((_k254 * _s40) * _s20) + (_k255 * _s41)) * _s20) + (_k256 * _s42)) * _s20
-    _s80 = ((((_s79 + (_k58 * _s43)) * _s20) + (_k100 * _s45)) * _s20) + (_k6 * _s46)
-    _s81 = (((((_s80 * _s20) + (_k95 * _s47)) * _s20) + (_k73 * _s49)) * _s20) + (_k86 * _s50)
+    _s77 = p_gravity * (_k87 - (_k44 * _s76))
+    _s78 = _k87 * p_ring_radius
+    _s79 = (((((_k255 * _s40) * _s20) + (_k256 * _s41)) * _s20) + (_k257 * _s42)) * _s20
+    _s80 = ((((_s79 + (_k59 * _s43)) * _s20) + (_k101 * _s45)) * _s20) + (_k6 * _s46)
+    _s81 = (((((_s80 * _s20) + (_k96 * _s47)) * _s20) + (_k74 * _s49)) * _s20) + (_k87 * _s50)
     _s82 = _s38 * _s20
     _s83 = abs(sine_0) + _s82
     _s84 = (_s54 * ((((_s81 * _s20) + (_k44 * _s51)) * _s20) + _s53)) * _s83
@@ -8234,7 +8235,7 @@ def _ring_round_step_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p
     _s87 = ((((_k6 * p_ring_radius) * _s84) + (_s38 * ((_s85 * _s86) + (_s77 * _s83)))) * _s38) + (_s34 * ((_s85 * _s83) + (_s77 * _s86)))
     _s88 = -(((cosine_0 * _s74) + _s75) + ((climb_1 * sine_0) * _s1))
     _s89 = along_1 - (omega_0 * ((climb_0 * sine_0) * _s1))
-    return _s20, _k122 * _s4, _s39 + ((_s54 * _s69) + _s73), _s69, _s39, ((p_gravity * sine_0) - _s74) - (cosine_0 * _s75), climb_0 * ((cosine_0 * _s77) + (sine_0 * (_s78 * _s11))), _s87, ((_k44 * p_gravity) * _s76) * (climb_0 * cosine_0), (cos_0 * _s88) - (sin_0 * _s89), (cos_0 * _s89) + (sin_0 * _s88), ((climb_1 * cosine_0) * _s1) - (sine_0 * _s74)
+    return _s20, _k123 * _s4, _s39 + ((_s54 * _s69) + _s73), _s69, _s39, ((p_gravity * sine_0) - _s74) - (cosine_0 * _s75), climb_0 * ((cosine_0 * _s77) + (sine_0 * (_s78 * _s11))), _s87, ((_k44 * p_gravity) * _s76) * (climb_0 * cosine_0), (cos_0 * _s88) - (sin_0 * _s89), (cos_0 * _s89) + (sin_0 * _s88), ((climb_1 * cosine_0) * _s1) - (sine_0 * _s74)
 
 
 def _ring_round_pulled_alone(p_gravity: Any, p_inertia: Any, turn_rate_0: Any, turn_rate_1: Any, climb_0: Any, climb_1: Any, cosine_0: Any, cosine_1: Any, omega_0: Any, omega_1: Any) -> tuple[Any, ...]:
@@ -8244,18 +8245,18 @@ def _ring_round_pulled_alone(p_gravity: Any, p_inertia: Any, turn_rate_0: Any, t
     _s3 = _s0 * (cosine_0 * _s2)
     _s4 = _s3 * (_s0 * ((cosine_0 * ((turn_rate_0 * omega_1) + (turn_rate_1 * omega_0))) + (cosine_1 * _s2)))
     _s5 = _k44 * ((_s1 * (_s0 * ((turn_rate_0 * climb_1) + (turn_rate_1 * climb_0)))) + _s4)
-    return (_s1 * _s1) + (_s3 * _s3), _s5, _k131, _k2
+    return (_s1 * _s1) + (_s3 * _s3), _s5, _k132, _k2
 
 
 def _ring_swung_alone(p_ball_radius: Any, p_gravity: Any, p_wire_radius: Any, which: Any, undecided_time: Any, position_error: Any, velocity_error: Any, force: Any, force_rate: Any, force_bend: Any, stride: Any, fastest: Any, circled: Any, climb: Any, climb_0: Any, section_acceleration: Any, azimuth_clearance: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = stride * stride
-    _s2 = ((_k176 * _s0) < (azimuth_clearance - ((_k59 * section_acceleration) * _s1))) and ((_k258 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
-    _s3 = _s2 and (which == _k66)
-    _s4 = ((climb * climb_0) < _k2) and (((_k67 * p_gravity) * stride) < (abs((climb - climb_0)) * _s0))
+    _s2 = ((_k177 * _s0) < (azimuth_clearance - ((_k60 * section_acceleration) * _s1))) and ((_k259 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
+    _s3 = _s2 and (which == _k67)
+    _s4 = ((climb * climb_0) < _k2) and (((_k68 * p_gravity) * stride) < (abs((climb - climb_0)) * _s0))
     _s5 = (_s3 and _s4) and (_k2 < circled)
     _s6 = p_gravity + ((fastest * fastest) * (_k1 / _s0))
-    _s7 = not ((_s6 * (_k259 * ((position_error * _s6) + (velocity_error * fastest)))) < ((_k176 * (p_gravity * p_gravity)) * _s0))
+    _s7 = not ((_s6 * (_k260 * ((position_error * _s6) + (velocity_error * fastest)))) < ((_k177 * (p_gravity * p_gravity)) * _s0))
     return (_k1 if _s4 else circled) if _s3 else _k2, _s5, _k2 if (_s5 and _s7) else undecided_time
 
 
@@ -8280,22 +8281,22 @@ def _ring_round_2_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s1 = near_0 * (along_2 - (_s0 * ((cosine_1 * omega_1) + (cosine_2 * omega_0))))
     _s2 = ((climb_0 * _s1) + (climb_1 * omega_1)) + (climb_2 * omega_0)
     _s3 = _k1 / (_k1 + p_inertia)
-    _s4 = -((_k88 * per_reach) * (((p_gravity * cosine_2) * _s3) + (((omega_0 * tilted_2) + (omega_1 * tilted_1)) + (tilted_0 * _s1))))
-    _s5 = _k88 * ((_s0 * (((sine_0 * _s2) + (sine_1 * around_1)) + (sine_2 * around_0))) - ((p_inertia * _s3) * (((turn_rate_0 * climb_2) + (turn_rate_1 * climb_1)) + (turn_rate_2 * climb_0))))
-    _s6 = _k88 * (((p_ring_radius * _s3) * (((cosine_0 * _s2) + (cosine_1 * around_1)) + (cosine_2 * around_0))) + (_s0 * _s2))
-    return _s1, _s2, -(_k88 * (((climb_0 * sine_2) + (climb_1 * sine_1)) + (climb_2 * sine_0))), _k88 * (((climb_0 * cosine_2) + (climb_1 * cosine_1)) + (climb_2 * cosine_0)), _s4, _s5, (_k88 * p_ring_radius) * _s2, _s6
+    _s4 = -((_k89 * per_reach) * (((p_gravity * cosine_2) * _s3) + (((omega_0 * tilted_2) + (omega_1 * tilted_1)) + (tilted_0 * _s1))))
+    _s5 = _k89 * ((_s0 * (((sine_0 * _s2) + (sine_1 * around_1)) + (sine_2 * around_0))) - ((p_inertia * _s3) * (((turn_rate_0 * climb_2) + (turn_rate_1 * climb_1)) + (turn_rate_2 * climb_0))))
+    _s6 = _k89 * (((p_ring_radius * _s3) * (((cosine_0 * _s2) + (cosine_1 * around_1)) + (cosine_2 * around_0))) + (_s0 * _s2))
+    return _s1, _s2, -(_k89 * (((climb_0 * sine_2) + (climb_1 * sine_1)) + (climb_2 * sine_0))), _k89 * (((climb_0 * cosine_2) + (climb_1 * cosine_1)) + (climb_2 * cosine_0)), _s4, _s5, (_k89 * p_ring_radius) * _s2, _s6
 
 
 def _ring_round_3_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, along_3: Any, omega_0: Any, omega_1: Any, omega_2: Any, around_0: Any, around_1: Any, around_2: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = near_0 * (along_3 - (_s0 * (((cosine_1 * omega_2) + (cosine_2 * omega_1)) + (cosine_3 * omega_0))))
     _s2 = (((climb_0 * _s1) + (climb_1 * omega_2)) + (climb_2 * omega_1)) + (climb_3 * omega_0)
-    _s3 = -(_k55 * ((((climb_0 * sine_3) + (climb_1 * sine_2)) + (climb_2 * sine_1)) + (climb_3 * sine_0)))
+    _s3 = -(_k56 * ((((climb_0 * sine_3) + (climb_1 * sine_2)) + (climb_2 * sine_1)) + (climb_3 * sine_0)))
     _s4 = _k1 / (_k1 + p_inertia)
-    _s5 = (_k55 * per_reach) * (((p_gravity * cosine_3) * _s4) + ((((omega_0 * tilted_3) + (omega_1 * tilted_2)) + (omega_2 * tilted_1)) + (tilted_0 * _s1)))
+    _s5 = (_k56 * per_reach) * (((p_gravity * cosine_3) * _s4) + ((((omega_0 * tilted_3) + (omega_1 * tilted_2)) + (omega_2 * tilted_1)) + (tilted_0 * _s1)))
     _s6 = (_s0 * ((((sine_0 * _s2) + (sine_1 * around_2)) + (sine_2 * around_1)) + (sine_3 * around_0))) - ((p_inertia * _s4) * ((((turn_rate_0 * climb_3) + (turn_rate_1 * climb_2)) + (turn_rate_2 * climb_1)) + (turn_rate_3 * climb_0)))
     _s7 = ((p_ring_radius * _s4) * ((((cosine_0 * _s2) + (cosine_1 * around_2)) + (cosine_2 * around_1)) + (cosine_3 * around_0))) + (_s0 * _s2)
-    return _s1, _s2, _s3, _k55 * ((((climb_0 * cosine_3) + (climb_1 * cosine_2)) + (climb_2 * cosine_1)) + (climb_3 * cosine_0)), -_s5, _k55 * _s6, (_k55 * p_ring_radius) * _s2, _k55 * _s7
+    return _s1, _s2, _s3, _k56 * ((((climb_0 * cosine_3) + (climb_1 * cosine_2)) + (climb_2 * cosine_1)) + (climb_3 * cosine_0)), -_s5, _k56 * _s6, (_k56 * p_ring_radius) * _s2, _k56 * _s7
 
 
 def _ring_round_4_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, along_4: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any) -> tuple[Any, ...]:
@@ -8303,14 +8304,14 @@ def _ring_round_4_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s1 = along_4 - (_s0 * ((((cosine_1 * omega_3) + (cosine_2 * omega_2)) + (cosine_3 * omega_1)) + (cosine_4 * omega_0)))
     _s2 = near_0 * _s1
     _s3 = ((((climb_0 * _s2) + (climb_1 * omega_3)) + (climb_2 * omega_2)) + (climb_3 * omega_1)) + (climb_4 * omega_0)
-    _s4 = _k92 * (((((climb_0 * sine_4) + (climb_1 * sine_3)) + (climb_2 * sine_2)) + (climb_3 * sine_1)) + (climb_4 * sine_0))
-    _s5 = _k92 * (((((climb_0 * cosine_4) + (climb_1 * cosine_3)) + (climb_2 * cosine_2)) + (climb_3 * cosine_1)) + (climb_4 * cosine_0))
+    _s4 = _k93 * (((((climb_0 * sine_4) + (climb_1 * sine_3)) + (climb_2 * sine_2)) + (climb_3 * sine_1)) + (climb_4 * sine_0))
+    _s5 = _k93 * (((((climb_0 * cosine_4) + (climb_1 * cosine_3)) + (climb_2 * cosine_2)) + (climb_3 * cosine_1)) + (climb_4 * cosine_0))
     _s6 = _k1 / (_k1 + p_inertia)
     _s7 = ((p_gravity * cosine_4) * _s6) + (((((omega_0 * tilted_4) + (omega_1 * tilted_3)) + (omega_2 * tilted_2)) + (omega_3 * tilted_1)) + (tilted_0 * _s2))
     _s8 = _s0 * (((((sine_0 * _s3) + (sine_1 * around_3)) + (sine_2 * around_2)) + (sine_3 * around_1)) + (sine_4 * around_0))
     _s9 = (p_inertia * _s6) * (((((turn_rate_0 * climb_4) + (turn_rate_1 * climb_3)) + (turn_rate_2 * climb_2)) + (turn_rate_3 * climb_1)) + (turn_rate_4 * climb_0))
     _s10 = (p_ring_radius * _s6) * (((((cosine_0 * _s3) + (cosine_1 * around_3)) + (cosine_2 * around_2)) + (cosine_3 * around_1)) + (cosine_4 * around_0))
-    return _s2, _s3, -_s4, _s5, -((_k92 * per_reach) * _s7), _k92 * (_s8 - _s9), (_k92 * p_ring_radius) * _s3, _k92 * (_s10 + (_s0 * _s3))
+    return _s2, _s3, -_s4, _s5, -((_k93 * per_reach) * _s7), _k93 * (_s8 - _s9), (_k93 * p_ring_radius) * _s3, _k93 * (_s10 + (_s0 * _s3))
 
 
 def _ring_round_5_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, along_5: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any) -> tuple[Any, ...]:
@@ -8325,7 +8326,7 @@ def _ring_round_5_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s8 = (((((sine_0 * _s3) + (sine_1 * around_4)) + (sine_2 * around_3)) + (sine_3 * around_2)) + (sine_4 * around_1)) + (sine_5 * around_0)
     _s9 = (((((turn_rate_0 * climb_5) + (turn_rate_1 * climb_4)) + (turn_rate_2 * climb_3)) + (turn_rate_3 * climb_2)) + (turn_rate_4 * climb_1)) + (turn_rate_5 * climb_0)
     _s10 = (((((cosine_0 * _s3) + (cosine_1 * around_4)) + (cosine_2 * around_3)) + (cosine_3 * around_2)) + (cosine_4 * around_1)) + (cosine_5 * around_0)
-    return _s2, _s3, -(_k96 * _s4), _k96 * _s5, -((_k96 * per_reach) * (((p_gravity * cosine_5) * _s6) + _s7)), _k96 * ((_s0 * _s8) - ((p_inertia * _s6) * _s9)), (_k96 * p_ring_radius) * _s3, _k96 * (((p_ring_radius * _s6) * _s10) + (_s0 * _s3))
+    return _s2, _s3, -(_k97 * _s4), _k97 * _s5, -((_k97 * per_reach) * (((p_gravity * cosine_5) * _s6) + _s7)), _k97 * ((_s0 * _s8) - ((p_inertia * _s6) * _s9)), (_k97 * p_ring_radius) * _s3, _k97 * (((p_ring_radius * _s6) * _s10) + (_s0 * _s3))
 
 
 def _ring_round_6_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, along_6: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any) -> tuple[Any, ...]:
@@ -8341,7 +8342,7 @@ def _ring_round_6_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s9 = (((((sine_0 * _s4) + (sine_1 * around_5)) + (sine_2 * around_4)) + (sine_3 * around_3)) + (sine_4 * around_2)) + (sine_5 * around_1)
     _s10 = (((((turn_rate_0 * climb_6) + (turn_rate_1 * climb_5)) + (turn_rate_2 * climb_4)) + (turn_rate_3 * climb_3)) + (turn_rate_4 * climb_2)) + (turn_rate_5 * climb_1)
     _s11 = (((((cosine_0 * _s4) + (cosine_1 * around_5)) + (cosine_2 * around_4)) + (cosine_3 * around_3)) + (cosine_4 * around_2)) + (cosine_5 * around_1)
-    return _s2, _s4, -(_k98 * (_s5 + (climb_6 * sine_0))), _k98 * (_s6 + (climb_6 * cosine_0)), -((_k98 * per_reach) * (((p_gravity * cosine_6) * _s7) + (_s8 + (tilted_0 * _s2)))), _k98 * ((_s0 * (_s9 + (sine_6 * around_0))) - ((p_inertia * _s7) * (_s10 + (turn_rate_6 * climb_0)))), (_k98 * p_ring_radius) * _s4, _k98 * (((p_ring_radius * _s7) * (_s11 + (cosine_6 * around_0))) + (_s0 * _s4))
+    return _s2, _s4, -(_k99 * (_s5 + (climb_6 * sine_0))), _k99 * (_s6 + (climb_6 * cosine_0)), -((_k99 * per_reach) * (((p_gravity * cosine_6) * _s7) + (_s8 + (tilted_0 * _s2)))), _k99 * ((_s0 * (_s9 + (sine_6 * around_0))) - ((p_inertia * _s7) * (_s10 + (turn_rate_6 * climb_0)))), (_k99 * p_ring_radius) * _s4, _k99 * (((p_ring_radius * _s7) * (_s11 + (cosine_6 * around_0))) + (_s0 * _s4))
 
 
 def _ring_round_7_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, along_7: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any) -> tuple[Any, ...]:
@@ -8354,13 +8355,13 @@ def _ring_round_7_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s6 = (((((climb_0 * cosine_7) + (climb_1 * cosine_6)) + (climb_2 * cosine_5)) + (climb_3 * cosine_4)) + (climb_4 * cosine_3)) + (climb_5 * cosine_2)
     _s7 = _k1 / (_k1 + p_inertia)
     _s8 = (((((omega_0 * tilted_7) + (omega_1 * tilted_6)) + (omega_2 * tilted_5)) + (omega_3 * tilted_4)) + (omega_4 * tilted_3)) + (omega_5 * tilted_2)
-    _s9 = -((_k59 * per_reach) * (((p_gravity * cosine_7) * _s7) + ((_s8 + (omega_6 * tilted_1)) + (tilted_0 * _s2))))
+    _s9 = -((_k60 * per_reach) * (((p_gravity * cosine_7) * _s7) + ((_s8 + (omega_6 * tilted_1)) + (tilted_0 * _s2))))
     _s10 = (((((sine_0 * _s4) + (sine_1 * around_6)) + (sine_2 * around_5)) + (sine_3 * around_4)) + (sine_4 * around_3)) + (sine_5 * around_2)
     _s11 = (((((turn_rate_0 * climb_7) + (turn_rate_1 * climb_6)) + (turn_rate_2 * climb_5)) + (turn_rate_3 * climb_4)) + (turn_rate_4 * climb_3)) + (turn_rate_5 * climb_2)
-    _s12 = _k59 * ((_s0 * ((_s10 + (sine_6 * around_1)) + (sine_7 * around_0))) - ((p_inertia * _s7) * ((_s11 + (turn_rate_6 * climb_1)) + (turn_rate_7 * climb_0))))
+    _s12 = _k60 * ((_s0 * ((_s10 + (sine_6 * around_1)) + (sine_7 * around_0))) - ((p_inertia * _s7) * ((_s11 + (turn_rate_6 * climb_1)) + (turn_rate_7 * climb_0))))
     _s13 = (((((cosine_0 * _s4) + (cosine_1 * around_6)) + (cosine_2 * around_5)) + (cosine_3 * around_4)) + (cosine_4 * around_3)) + (cosine_5 * around_2)
-    _s14 = _k59 * (((p_ring_radius * _s7) * ((_s13 + (cosine_6 * around_1)) + (cosine_7 * around_0))) + (_s0 * _s4))
-    return _s2, _s4, -(_k59 * ((_s5 + (climb_6 * sine_1)) + (climb_7 * sine_0))), _k59 * ((_s6 + (climb_6 * cosine_1)) + (climb_7 * cosine_0)), _s9, _s12, (_k59 * p_ring_radius) * _s4, _s14
+    _s14 = _k60 * (((p_ring_radius * _s7) * ((_s13 + (cosine_6 * around_1)) + (cosine_7 * around_0))) + (_s0 * _s4))
+    return _s2, _s4, -(_k60 * ((_s5 + (climb_6 * sine_1)) + (climb_7 * sine_0))), _k60 * ((_s6 + (climb_6 * cosine_1)) + (climb_7 * cosine_0)), _s9, _s12, (_k60 * p_ring_radius) * _s4, _s14
 
 
 def _ring_round_8_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, along_8: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any) -> tuple[Any, ...]:
@@ -8370,17 +8371,17 @@ def _ring_round_8_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s3 = (((((climb_0 * _s2) + (climb_1 * omega_7)) + (climb_2 * omega_6)) + (climb_3 * omega_5)) + (climb_4 * omega_4)) + (climb_5 * omega_3)
     _s4 = ((_s3 + (climb_6 * omega_2)) + (climb_7 * omega_1)) + (climb_8 * omega_0)
     _s5 = (((((climb_0 * sine_8) + (climb_1 * sine_7)) + (climb_2 * sine_6)) + (climb_3 * sine_5)) + (climb_4 * sine_4)) + (climb_5 * sine_3)
-    _s6 = -(_k102 * (((_s5 + (climb_6 * sine_2)) + (climb_7 * sine_1)) + (climb_8 * sine_0)))
+    _s6 = -(_k103 * (((_s5 + (climb_6 * sine_2)) + (climb_7 * sine_1)) + (climb_8 * sine_0)))
     _s7 = (((((climb_0 * cosine_8) + (climb_1 * cosine_7)) + (climb_2 * cosine_6)) + (climb_3 * cosine_5)) + (climb_4 * cosine_4)) + (climb_5 * cosine_3)
     _s8 = _k1 / (_k1 + p_inertia)
     _s9 = (((((omega_0 * tilted_8) + (omega_1 * tilted_7)) + (omega_2 * tilted_6)) + (omega_3 * tilted_5)) + (omega_4 * tilted_4)) + (omega_5 * tilted_3)
-    _s10 = (_k102 * per_reach) * (((p_gravity * cosine_8) * _s8) + (((_s9 + (omega_6 * tilted_2)) + (omega_7 * tilted_1)) + (tilted_0 * _s2)))
+    _s10 = (_k103 * per_reach) * (((p_gravity * cosine_8) * _s8) + (((_s9 + (omega_6 * tilted_2)) + (omega_7 * tilted_1)) + (tilted_0 * _s2)))
     _s11 = (((((sine_0 * _s4) + (sine_1 * around_7)) + (sine_2 * around_6)) + (sine_3 * around_5)) + (sine_4 * around_4)) + (sine_5 * around_3)
     _s12 = (((((turn_rate_0 * climb_8) + (turn_rate_1 * climb_7)) + (turn_rate_2 * climb_6)) + (turn_rate_3 * climb_5)) + (turn_rate_4 * climb_4)) + (turn_rate_5 * climb_3)
     _s13 = (_s0 * (((_s11 + (sine_6 * around_2)) + (sine_7 * around_1)) + (sine_8 * around_0))) - ((p_inertia * _s8) * (((_s12 + (turn_rate_6 * climb_2)) + (turn_rate_7 * climb_1)) + (turn_rate_8 * climb_0)))
     _s14 = (((((cosine_0 * _s4) + (cosine_1 * around_7)) + (cosine_2 * around_6)) + (cosine_3 * around_5)) + (cosine_4 * around_4)) + (cosine_5 * around_3)
     _s15 = ((p_ring_radius * _s8) * (((_s14 + (cosine_6 * around_2)) + (cosine_7 * around_1)) + (cosine_8 * around_0))) + (_s0 * _s4)
-    return _s2, _s4, _s6, _k102 * (((_s7 + (climb_6 * cosine_2)) + (climb_7 * cosine_1)) + (climb_8 * cosine_0)), -_s10, _k102 * _s13, (_k102 * p_ring_radius) * _s4, _k102 * _s15
+    return _s2, _s4, _s6, _k103 * (((_s7 + (climb_6 * cosine_2)) + (climb_7 * cosine_1)) + (climb_8 * cosine_0)), -_s10, _k103 * _s13, (_k103 * p_ring_radius) * _s4, _k103 * _s15
 
 
 def _ring_round_9_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, along_9: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any) -> tuple[Any, ...]:
@@ -8391,9 +8392,9 @@ def _ring_round_9_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s4 = (((((climb_0 * _s3) + (climb_1 * omega_8)) + (climb_2 * omega_7)) + (climb_3 * omega_6)) + (climb_4 * omega_5)) + (climb_5 * omega_4)
     _s5 = (((_s4 + (climb_6 * omega_3)) + (climb_7 * omega_2)) + (climb_8 * omega_1)) + (climb_9 * omega_0)
     _s6 = (((((climb_0 * sine_9) + (climb_1 * sine_8)) + (climb_2 * sine_7)) + (climb_3 * sine_6)) + (climb_4 * sine_5)) + (climb_5 * sine_4)
-    _s7 = _k238 * ((((_s6 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
+    _s7 = _k239 * ((((_s6 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
     _s8 = (((((climb_0 * cosine_9) + (climb_1 * cosine_8)) + (climb_2 * cosine_7)) + (climb_3 * cosine_6)) + (climb_4 * cosine_5)) + (climb_5 * cosine_4)
-    _s9 = _k238 * ((((_s8 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
+    _s9 = _k239 * ((((_s8 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
     _s10 = _k1 / (_k1 + p_inertia)
     _s11 = (((((omega_0 * tilted_9) + (omega_1 * tilted_8)) + (omega_2 * tilted_7)) + (omega_3 * tilted_6)) + (omega_4 * tilted_5)) + (omega_5 * tilted_4)
     _s12 = ((p_gravity * cosine_9) * _s10) + ((((_s11 + (omega_6 * tilted_3)) + (omega_7 * tilted_2)) + (omega_8 * tilted_1)) + (tilted_0 * _s3))
@@ -8403,7 +8404,7 @@ def _ring_round_9_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s16 = (p_inertia * _s10) * ((((_s15 + (turn_rate_6 * climb_3)) + (turn_rate_7 * climb_2)) + (turn_rate_8 * climb_1)) + (turn_rate_9 * climb_0))
     _s17 = (((((cosine_0 * _s5) + (cosine_1 * around_8)) + (cosine_2 * around_7)) + (cosine_3 * around_6)) + (cosine_4 * around_5)) + (cosine_5 * around_4)
     _s18 = (p_ring_radius * _s10) * ((((_s17 + (cosine_6 * around_3)) + (cosine_7 * around_2)) + (cosine_8 * around_1)) + (cosine_9 * around_0))
-    return _s3, _s5, -_s7, _s9, -((_k238 * per_reach) * _s12), _k238 * (_s14 - _s16), (_k238 * p_ring_radius) * _s5, _k238 * (_s18 + (_s0 * _s5))
+    return _s3, _s5, -_s7, _s9, -((_k239 * per_reach) * _s12), _k239 * (_s14 - _s16), (_k239 * p_ring_radius) * _s5, _k239 * (_s18 + (_s0 * _s5))
 
 
 def _ring_round_10_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, along_10: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any) -> tuple[Any, ...]:
@@ -8426,7 +8427,7 @@ def _ring_round_10_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_r
     _s16 = ((((_s15 + (turn_rate_6 * climb_4)) + (turn_rate_7 * climb_3)) + (turn_rate_8 * climb_2)) + (turn_rate_9 * climb_1)) + (turn_rate_10 * climb_0)
     _s17 = (((((cosine_0 * _s5) + (cosine_1 * around_9)) + (cosine_2 * around_8)) + (cosine_3 * around_7)) + (cosine_4 * around_6)) + (cosine_5 * around_5)
     _s18 = ((((_s17 + (cosine_6 * around_4)) + (cosine_7 * around_3)) + (cosine_8 * around_2)) + (cosine_9 * around_1)) + (cosine_10 * around_0)
-    return _s3, _s5, -(_k239 * _s7), _k239 * _s9, -((_k239 * per_reach) * (((p_gravity * cosine_10) * _s10) + _s12)), _k239 * ((_s0 * _s14) - ((p_inertia * _s10) * _s16)), (_k239 * p_ring_radius) * _s5, _k239 * (((p_ring_radius * _s10) * _s18) + (_s0 * _s5))
+    return _s3, _s5, -(_k240 * _s7), _k240 * _s9, -((_k240 * per_reach) * (((p_gravity * cosine_10) * _s10) + _s12)), _k240 * ((_s0 * _s14) - ((p_inertia * _s10) * _s16)), (_k240 * p_ring_radius) * _s5, _k240 * (((p_ring_radius * _s10) * _s18) + (_s0 * _s5))
 
 
 def _ring_round_11_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, turn_rate_11: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, climb_11: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, cosine_11: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, sine_11: Any, along_11: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, omega_10: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, around_10: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any, tilted_11: Any) -> tuple[Any, ...]:
@@ -8450,7 +8451,7 @@ def _ring_round_11_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_r
     _s17 = ((((_s16 + (turn_rate_6 * climb_5)) + (turn_rate_7 * climb_4)) + (turn_rate_8 * climb_3)) + (turn_rate_9 * climb_2)) + (turn_rate_10 * climb_1)
     _s18 = (((((cosine_0 * _s6) + (cosine_1 * around_10)) + (cosine_2 * around_9)) + (cosine_3 * around_8)) + (cosine_4 * around_7)) + (cosine_5 * around_6)
     _s19 = ((((_s18 + (cosine_6 * around_5)) + (cosine_7 * around_4)) + (cosine_8 * around_3)) + (cosine_9 * around_2)) + (cosine_10 * around_1)
-    return _s3, _s6, -(_k240 * (_s8 + (climb_11 * sine_0))), _k240 * (_s10 + (climb_11 * cosine_0)), -((_k240 * per_reach) * (((p_gravity * cosine_11) * _s11) + (_s13 + (tilted_0 * _s3)))), _k240 * ((_s0 * (_s15 + (sine_11 * around_0))) - ((p_inertia * _s11) * (_s17 + (turn_rate_11 * climb_0)))), (_k240 * p_ring_radius) * _s6, _k240 * (((p_ring_radius * _s11) * (_s19 + (cosine_11 * around_0))) + (_s0 * _s6))
+    return _s3, _s6, -(_k241 * (_s8 + (climb_11 * sine_0))), _k241 * (_s10 + (climb_11 * cosine_0)), -((_k241 * per_reach) * (((p_gravity * cosine_11) * _s11) + (_s13 + (tilted_0 * _s3)))), _k241 * ((_s0 * (_s15 + (sine_11 * around_0))) - ((p_inertia * _s11) * (_s17 + (turn_rate_11 * climb_0)))), (_k241 * p_ring_radius) * _s6, _k241 * (((p_ring_radius * _s11) * (_s19 + (cosine_11 * around_0))) + (_s0 * _s6))
 
 
 def _ring_enter_alone(t: Any, end: Any, after: Any, low0: Any, low1: Any, low2: Any, high0: Any, high1: Any, high2: Any) -> tuple[Any, ...]:
@@ -8479,7 +8480,7 @@ def _backboard_normal_alone(x: Any, y: Any, z: Any, p_ball_radius: Any, p_board_
     return _s2 / _s11, _s5 / _s11, _s8 / _s11
 
 
-def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
+def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, earliest_delay: Any, pad: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = abs(vx)
     _s1 = _k0 * p_board_thickness
     _s2 = p_ball_radius + _s1
@@ -8490,7 +8491,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s7 = p_ball_radius + p_board_half_width
     _s8 = _s7 if _s7 < _s2 else _s2
     _s9 = _s6 if _s6 < _s8 else _s8
-    _s10 = _k273 * _s9
+    _s10 = _k274 * _s9
     _s11 = _s2 + _s10
     _s12 = p_board_distance + _s1
     _s13 = _s12 + x
@@ -8514,7 +8515,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s31 = _s30 if _s21 < _s30 else _s21
     _s32 = _s22 + (_s25 * (_s23 - _s24))
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = (_s27 * (vz + _s28)) if _s29 else _k131
+    _s34 = (_s27 * (vz + _s28)) if _s29 else _k132
     _s35 = _k2 < _s32
     _s36 = (_s27 * (vz - _s33)) if _s35 else _s34
     _s37 = (_s18 - _s19) / _s17
@@ -8529,12 +8530,12 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k44 * (((_k274 * abs((-p_gravity))) * (p_ball_radius + (_k175 * _s9))) + (_k86 * (_s48 * _s48)))
+    _s49 = _k44 * (((_k275 * abs((-p_gravity))) * (p_ball_radius + (_k176 * _s9))) + (_k87 * (_s48 * _s48)))
     _s50 = _s7 if _s2 < _s7 else _s2
     _s51 = ((_s12 + extent) + abs((_s5 + _s3))) + (_s6 if _s50 < _s6 else _s50)
     _s52 = (_root(_k44) * _root((_s27 * (_s51 + _s9)))) + ((_k44 * speed) * _s27)
-    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k185 * (((speed * speed) * _s27) + _s51))) - (_k41 * _s9)
-    return _s31 if _k2 < _s31 else _k2, _s41 if _s41 < horizon else horizon, _s43 if _k2 < _s43 else _k2, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53
+    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k186 * (((speed * speed) * _s27) + _s51))) + ((earliest_delay * (speed + (p_gravity * horizon))) if ((_k44 * pad) < earliest_delay) else _k2)
+    return _s31 if _k2 < _s31 else _k2, _s41 if _s41 < horizon else horizon, _s43 if _k2 < _s43 else _k2, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53 - (_k41 * _s9)
 
 
 def _backboard_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -8542,21 +8543,21 @@ def _backboard_margins_alone(horizon: Any, extent: Any, speed: Any, position_err
     _s1 = p_ball_radius + p_board_half_width
     _s2 = p_ball_radius + (_k0 * p_board_thickness)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (_k175 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k176 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
-    _s7 = _k62 * _s6
+    _s7 = _k63 * _s6
     _s8 = _k44 * ((position_error + (horizon * velocity_error)) + (_k18 * _s6))
-    _s9 = ((_k281 * p_board_half_width) + _s7) + _s8
-    _s10 = _k280 * _s4
-    _s11 = (((_k281 * p_board_distance) + (_k62 * p_board_thickness)) + (_k281 * _s6)) + _s8
-    _s12 = (((_k62 * abs(p_board_bottom)) + (_k62 * abs(p_board_top))) + _s7) + _s8
-    _s13 = ((((_k279 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k282 * horizon) * _s4) * _s5)
-    _s14 = _k285 * _s5
-    _s15 = ((((_k283 * _s4) * _s5) + ((_k284 * _s4) * (velocity_error + (_k281 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k280 * _s5
-    _s17 = ((((_k286 * _s4) * _s5) + ((_k287 * _s4) * (velocity_error + (_k62 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k282 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s9 = ((_k282 * p_board_half_width) + _s7) + _s8
+    _s10 = _k281 * _s4
+    _s11 = (((_k282 * p_board_distance) + (_k63 * p_board_thickness)) + (_k282 * _s6)) + _s8
+    _s12 = (((_k63 * abs(p_board_bottom)) + (_k63 * abs(p_board_top))) + _s7) + _s8
+    _s13 = ((((_k280 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k283 * horizon) * _s4) * _s5)
+    _s14 = _k286 * _s5
+    _s15 = ((((_k284 * _s4) * _s5) + ((_k285 * _s4) * (velocity_error + (_k282 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k281 * _s5
+    _s17 = ((((_k287 * _s4) * _s5) + ((_k288 * _s4) * (velocity_error + (_k63 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k283 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _backboard_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -8630,24 +8631,24 @@ def _backboard_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_m
     _s34 = p_ball_radius + p_board_half_width
     _s35 = p_ball_radius + (_k0 * p_board_thickness)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (_k175 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k176 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
     _s40 = _k2 if _s39 < _k2 else _s39
     _s41 = -_s31
     _s42 = _s38 < _k2
     _s43 = _k44 * _s40
-    _s44 = _k7 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k73 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
+    _s44 = _k7 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k74 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
     _s45 = end - t
     _s46 = _s44 if _s44 < _s45 else _s45
     _s47 = ((((_k0 * _s32) * _s46) + abs(_s28)) * _s46) + _s30
-    _s48 = (_k117 * ceiling) + (_k44 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
+    _s48 = (_k118 * ceiling) + (_k44 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
     _s49 = ((_k44 * _s48) * _s40) + (_s38 * _s38)
     _s50 = _root(_s49)
     _s51 = ((_s43 if _s42 else (_s38 + _s50)) / ((_s50 - _s38) if _s42 else (_s48 if _k2 < _s48 else _k2))) if (_k2 <= _s49) else _k7
     _s52 = _s51 if _s51 < _s46 else _s46
     _s53 = -(rate_margin + _s29)
-    return _s27, _s29, _s31, _s52, t + _s52, ((_s53 * _s53) - ((_k58 * ceiling) * (margin + _s43))) if (_k2 < _s53) else _s53
+    return _s27, _s29, _s31, _s52, t + _s52, ((_s53 * _s53) - ((_k59 * ceiling) * (margin + _s43))) if (_k2 < _s53) else _s53
 
 
 def _backboard_beside_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
@@ -8680,18 +8681,18 @@ def _backboard_distance_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_d
 
 
 def _backboard_rolling_surface_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
-    _s0 = _k108 * p_ball_radius
-    _s1 = (_s0 + (_k82 * p_board_distance)) + (_k108 * p_board_thickness)
+    _s0 = _k109 * p_ball_radius
+    _s1 = (_s0 + (_k83 * p_board_distance)) + (_k109 * p_board_thickness)
     _s2 = p_board_distance + x
     _s3 = -_s1
     _s4 = -((p_board_distance + p_board_thickness) + x)
     _s5 = _k1 if (((_s1 < _s2) or ((_s3 < _s2) and (_k2 < vx))) or ((_s1 < _s4) or ((_s3 < _s4) and (_k2 < (-vx))))) else _k2
-    _s6 = _s0 + (_k82 * p_board_half_width)
+    _s6 = _s0 + (_k83 * p_board_half_width)
     _s7 = y - p_board_half_width
     _s8 = -_s6
     _s9 = -(p_board_half_width + y)
     _s10 = _k1 if (((_s6 < _s7) or ((_s8 < _s7) and (_k2 < vy))) or ((_s6 < _s9) or ((_s8 < _s9) and (_k2 < (-vy))))) else _k2
-    _s11 = (_s0 + (_k108 * abs(p_board_bottom))) + (_k108 * abs(p_board_top))
+    _s11 = (_s0 + (_k109 * abs(p_board_bottom))) + (_k109 * abs(p_board_top))
     _s12 = z - p_board_top
     _s13 = -_s11
     _s14 = p_board_bottom - z
@@ -8730,34 +8731,34 @@ def _backboard_separation_alone(p_board_bottom: Any, p_board_distance: Any, p_bo
     _s27 = _s18 * _s25
     _s28 = _s20 * _s24
     _s29 = _s27 + _s28
-    _s30 = _s29 + (_s27 + (_s15 * (_k44 * (_k86 * (_s19 * _s19)))))
+    _s30 = _s29 + (_s27 + (_s15 * (_k44 * (_k87 * (_s19 * _s19)))))
     _s31 = ((_s26 * _s17) + ((_s23 * _s21) * _s15)) + (_k44 * ((((_s18 * _s18) * _s16) + ((_s18 * _s21) * _s15)) + ((_s16 * _s24) * _s15)))
     _s32 = _k0 * (_s30 + (_s29 + ((_s14 * (-_s31)) + _s28)))
     return _s21, _s26, _s32
 
 
 def _backboard_seam0_alone(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, x: Any, vx: Any) -> tuple[Any, ...]:
-    return (p_board_distance + p_board_thickness) + x, vx, ((_k108 * p_ball_radius) + (_k82 * p_board_distance)) + (_k108 * p_board_thickness)
+    return (p_board_distance + p_board_thickness) + x, vx, ((_k109 * p_ball_radius) + (_k83 * p_board_distance)) + (_k109 * p_board_thickness)
 
 
 def _backboard_seam1_alone(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, x: Any, vx: Any) -> tuple[Any, ...]:
-    return p_board_distance + x, vx, ((_k108 * p_ball_radius) + (_k82 * p_board_distance)) + (_k108 * p_board_thickness)
+    return p_board_distance + x, vx, ((_k109 * p_ball_radius) + (_k83 * p_board_distance)) + (_k109 * p_board_thickness)
 
 
 def _backboard_seam2_alone(p_ball_radius: Any, p_board_half_width: Any, y: Any, vy: Any) -> tuple[Any, ...]:
-    return p_board_half_width + y, vy, (_k108 * p_ball_radius) + (_k82 * p_board_half_width)
+    return p_board_half_width + y, vy, (_k109 * p_ball_radius) + (_k83 * p_board_half_width)
 
 
 def _backboard_seam3_alone(p_ball_radius: Any, p_board_half_width: Any, y: Any, vy: Any) -> tuple[Any, ...]:
-    return y - p_board_half_width, vy, (_k108 * p_ball_radius) + (_k82 * p_board_half_width)
+    return y - p_board_half_width, vy, (_k109 * p_ball_radius) + (_k83 * p_board_half_width)
 
 
 def _backboard_seam4_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, z: Any, vz: Any) -> tuple[Any, ...]:
-    return z - p_board_bottom, vz, ((_k108 * p_ball_radius) + (_k108 * abs(p_board_bottom))) + (_k108 * abs(p_board_top))
+    return z - p_board_bottom, vz, ((_k109 * p_ball_radius) + (_k109 * abs(p_board_bottom))) + (_k109 * abs(p_board_top))
 
 
 def _backboard_seam5_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, z: Any, vz: Any) -> tuple[Any, ...]:
-    return z - p_board_top, vz, ((_k108 * p_ball_radius) + (_k108 * abs(p_board_bottom))) + (_k108 * abs(p_board_top))
+    return z - p_board_top, vz, ((_k109 * p_ball_radius) + (_k109 * abs(p_board_bottom))) + (_k109 * abs(p_board_top))
 
 
 def _backboard_around_alone(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
@@ -8803,7 +8804,7 @@ def _bridge_normal_alone(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radi
     return _s2 / _s11, _s8 / _s11, _s5 / _s11
 
 
-def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:
+def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, earliest_delay: Any, pad: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = abs(vx)
     _s1 = _k0 * p_board_distance
     _s2 = p_ball_radius + _s1
@@ -8814,7 +8815,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s7 = _s2 - _s6
     _s8 = _s5 if _s5 < _s7 else _s7
     _s9 = _s4 if _s4 < _s8 else _s8
-    _s10 = _k273 * _s9
+    _s10 = _k274 * _s9
     _s11 = (_s2 + _s10) - _s6
     _s12 = _s6 + _s1
     _s13 = _s12 + x
@@ -8838,7 +8839,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s31 = _s30 if _s21 < _s30 else _s21
     _s32 = _s22 + (_s25 * (_s24 - _s23))
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = (_s27 * (vz + _s28)) if _s29 else _k131
+    _s34 = (_s27 * (vz + _s28)) if _s29 else _k132
     _s35 = _k2 < _s32
     _s36 = (_s27 * (vz - _s33)) if _s35 else _s34
     _s37 = (_s18 - _s19) / _s17
@@ -8853,12 +8854,12 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k44 * (((_k274 * abs((-p_gravity))) * (p_ball_radius + (_k175 * _s9))) + (_k86 * (_s48 * _s48)))
+    _s49 = _k44 * (((_k275 * abs((-p_gravity))) * (p_ball_radius + (_k176 * _s9))) + (_k87 * (_s48 * _s48)))
     _s50 = _s5 if _s7 < _s5 else _s7
     _s51 = ((_s12 + extent) + abs((_s3 - p_wire_radius))) + (_s4 if _s50 < _s4 else _s50)
     _s52 = (_root(_k44) * _root((_s27 * (_s51 + _s9)))) + ((_k44 * speed) * _s27)
-    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k185 * (((speed * speed) * _s27) + _s51))) - (_k41 * _s9)
-    return _s31 if _k2 < _s31 else _k2, _s41 if _s41 < horizon else horizon, _s43 if _k2 < _s43 else _k2, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53
+    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k186 * (((speed * speed) * _s27) + _s51))) + ((earliest_delay * (speed + (p_gravity * horizon))) if ((_k44 * pad) < earliest_delay) else _k2)
+    return _s31 if _k2 < _s31 else _k2, _s41 if _s41 < horizon else horizon, _s43 if _k2 < _s43 else _k2, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53 - (_k41 * _s9)
 
 
 def _bridge_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -8866,21 +8867,21 @@ def _bridge_margins_alone(horizon: Any, extent: Any, speed: Any, position_error:
     _s1 = p_ball_radius + p_bridge_half_width
     _s2 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (_k175 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k176 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
-    _s7 = _k62 * _s6
+    _s7 = _k63 * _s6
     _s8 = _k44 * ((position_error + (horizon * velocity_error)) + (_k18 * _s6))
-    _s9 = ((_k281 * p_bridge_half_width) + _s7) + _s8
-    _s10 = _k280 * _s4
-    _s11 = (((_k57 * p_ring_radius) + (_k57 * p_board_distance)) + _s7) + _s8
-    _s12 = (((_k289 * p_wire_radius) + (_k62 * p_bridge_depth)) + (_k281 * _s6)) + _s8
-    _s13 = ((((_k279 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k282 * horizon) * _s4) * _s5)
-    _s14 = _k285 * _s5
-    _s15 = ((((_k283 * _s4) * _s5) + ((_k284 * _s4) * (velocity_error + (_k281 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k280 * _s5
-    _s17 = ((((_k286 * _s4) * _s5) + ((_k287 * _s4) * (velocity_error + (_k62 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k282 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s9 = ((_k282 * p_bridge_half_width) + _s7) + _s8
+    _s10 = _k281 * _s4
+    _s11 = (((_k58 * p_ring_radius) + (_k58 * p_board_distance)) + _s7) + _s8
+    _s12 = (((_k290 * p_wire_radius) + (_k63 * p_bridge_depth)) + (_k282 * _s6)) + _s8
+    _s13 = ((((_k280 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k283 * horizon) * _s4) * _s5)
+    _s14 = _k286 * _s5
+    _s15 = ((((_k284 * _s4) * _s5) + ((_k285 * _s4) * (velocity_error + (_k282 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k281 * _s5
+    _s17 = ((((_k287 * _s4) * _s5) + ((_k288 * _s4) * (velocity_error + (_k63 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k283 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _bridge_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -8954,24 +8955,24 @@ def _bridge_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_marg
     _s34 = p_ball_radius + p_bridge_half_width
     _s35 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (_k175 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k176 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
     _s40 = _k2 if _s39 < _k2 else _s39
     _s41 = -_s31
     _s42 = _s38 < _k2
     _s43 = _k44 * _s40
-    _s44 = _k7 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k73 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
+    _s44 = _k7 if (_k2 < (_s40 if (_k2 <= _s38) else _k2)) else ((_s43 if _s42 else (_k74 * _s38)) / ((-_s38) if _s42 else (_s41 if _k2 < _s41 else _k2)))
     _s45 = end - t
     _s46 = _s44 if _s44 < _s45 else _s45
     _s47 = ((((_k0 * _s32) * _s46) + abs(_s28)) * _s46) + _s30
-    _s48 = (_k117 * ceiling) + (_k44 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
+    _s48 = (_k118 * ceiling) + (_k44 * (_s32 * (_s37 if _s37 < _s47 else _s47)))
     _s49 = ((_k44 * _s48) * _s40) + (_s38 * _s38)
     _s50 = _root(_s49)
     _s51 = ((_s43 if _s42 else (_s38 + _s50)) / ((_s50 - _s38) if _s42 else (_s48 if _k2 < _s48 else _k2))) if (_k2 <= _s49) else _k7
     _s52 = _s51 if _s51 < _s46 else _s46
     _s53 = -(rate_margin + _s29)
-    return _s27, _s29, _s31, _s52, t + _s52, ((_s53 * _s53) - ((_k58 * ceiling) * (margin + _s43))) if (_k2 < _s53) else _s53
+    return _s27, _s29, _s31, _s52, t + _s52, ((_s53 * _s53) - ((_k59 * ceiling) * (margin + _s43))) if (_k2 < _s53) else _s53
 
 
 def _bridge_beside_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
@@ -9004,18 +9005,18 @@ def _bridge_distance_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_d
 
 
 def _bridge_rolling_surface_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
-    _s0 = _k108 * p_ball_radius
-    _s1 = (_s0 + (_k108 * p_ring_radius)) + (_k108 * p_board_distance)
+    _s0 = _k109 * p_ball_radius
+    _s1 = (_s0 + (_k109 * p_ring_radius)) + (_k109 * p_board_distance)
     _s2 = p_ring_radius + x
     _s3 = -_s1
     _s4 = -(p_board_distance + x)
     _s5 = _k1 if (((_s1 < _s2) or ((_s3 < _s2) and (_k2 < vx))) or ((_s1 < _s4) or ((_s3 < _s4) and (_k2 < (-vx))))) else _k2
-    _s6 = _s0 + (_k82 * p_bridge_half_width)
+    _s6 = _s0 + (_k83 * p_bridge_half_width)
     _s7 = y - p_bridge_half_width
     _s8 = -_s6
     _s9 = -(p_bridge_half_width + y)
     _s10 = _k1 if (((_s6 < _s7) or ((_s8 < _s7) and (_k2 < vy))) or ((_s6 < _s9) or ((_s8 < _s9) and (_k2 < (-vy))))) else _k2
-    _s11 = (_s0 + (_k108 * p_wire_radius)) + (_k108 * abs((p_bridge_depth - p_wire_radius)))
+    _s11 = (_s0 + (_k109 * p_wire_radius)) + (_k109 * abs((p_bridge_depth - p_wire_radius)))
     _s12 = z - p_wire_radius
     _s13 = -_s11
     _s14 = (p_wire_radius - p_bridge_depth) - z
@@ -9054,34 +9055,34 @@ def _bridge_separation_alone(p_board_distance: Any, p_bridge_depth: Any, p_bridg
     _s27 = _s18 * _s25
     _s28 = _s20 * _s24
     _s29 = _s27 + _s28
-    _s30 = _s29 + (_s27 + (_s15 * (_k44 * (_k86 * (_s19 * _s19)))))
+    _s30 = _s29 + (_s27 + (_s15 * (_k44 * (_k87 * (_s19 * _s19)))))
     _s31 = ((_s26 * _s17) + ((_s23 * _s21) * _s15)) + (_k44 * ((((_s18 * _s18) * _s16) + ((_s18 * _s21) * _s15)) + ((_s16 * _s24) * _s15)))
     _s32 = _k0 * (_s30 + (_s29 + ((_s14 * (-_s31)) + _s28)))
     return _s21, _s26, _s32
 
 
 def _bridge_seam0_alone(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, x: Any, vx: Any) -> tuple[Any, ...]:
-    return p_board_distance + x, vx, ((_k108 * p_ball_radius) + (_k108 * p_ring_radius)) + (_k108 * p_board_distance)
+    return p_board_distance + x, vx, ((_k109 * p_ball_radius) + (_k109 * p_ring_radius)) + (_k109 * p_board_distance)
 
 
 def _bridge_seam1_alone(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, x: Any, vx: Any) -> tuple[Any, ...]:
-    return p_ring_radius + x, vx, ((_k108 * p_ball_radius) + (_k108 * p_ring_radius)) + (_k108 * p_board_distance)
+    return p_ring_radius + x, vx, ((_k109 * p_ball_radius) + (_k109 * p_ring_radius)) + (_k109 * p_board_distance)
 
 
 def _bridge_seam2_alone(p_ball_radius: Any, p_bridge_half_width: Any, y: Any, vy: Any) -> tuple[Any, ...]:
-    return p_bridge_half_width + y, vy, (_k108 * p_ball_radius) + (_k82 * p_bridge_half_width)
+    return p_bridge_half_width + y, vy, (_k109 * p_ball_radius) + (_k83 * p_bridge_half_width)
 
 
 def _bridge_seam3_alone(p_ball_radius: Any, p_bridge_half_width: Any, y: Any, vy: Any) -> tuple[Any, ...]:
-    return y - p_bridge_half_width, vy, (_k108 * p_ball_radius) + (_k82 * p_bridge_half_width)
+    return y - p_bridge_half_width, vy, (_k109 * p_ball_radius) + (_k83 * p_bridge_half_width)
 
 
 def _bridge_seam4_alone(p_ball_radius: Any, p_bridge_depth: Any, p_wire_radius: Any, z: Any, vz: Any) -> tuple[Any, ...]:
-    return (p_bridge_depth + z) - p_wire_radius, vz, ((_k108 * p_ball_radius) + (_k108 * p_wire_radius)) + (_k108 * abs((p_bridge_depth - p_wire_radius)))
+    return (p_bridge_depth + z) - p_wire_radius, vz, ((_k109 * p_ball_radius) + (_k109 * p_wire_radius)) + (_k109 * abs((p_bridge_depth - p_wire_radius)))
 
 
 def _bridge_seam5_alone(p_ball_radius: Any, p_bridge_depth: Any, p_wire_radius: Any, z: Any, vz: Any) -> tuple[Any, ...]:
-    return z - p_wire_radius, vz, ((_k108 * p_ball_radius) + (_k108 * p_wire_radius)) + (_k108 * abs((p_bridge_depth - p_wire_radius)))
+    return z - p_wire_radius, vz, ((_k109 * p_ball_radius) + (_k109 * p_wire_radius)) + (_k109 * abs((p_bridge_depth - p_wire_radius)))
 
 
 def _bridge_around_alone(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
@@ -9233,8 +9234,8 @@ def _alone4(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_b
 
 def _alone5(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_gravity_: Any, _speed_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `reachable` for one shot."""
-    _until_, _ = _horizon_alone(_when_, _speed_, _p_gravity_)
-    _low0_, _high0_, _low1_, _high1_, _ceiling_, _latest_, _ = _backboard_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k2, _k2, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
+    _until_, _pad_ = _horizon_alone(_when_, _speed_, _p_gravity_)
+    _low0_, _high0_, _low1_, _high1_, _ceiling_, _latest_, _ = _backboard_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k2, _k2, _k2, _pad_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
     _share_, _arrival_, _certain_ = _beginning_alone()
     _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
     _flat_, _tilt_, _rate_slack_ = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
@@ -9311,8 +9312,8 @@ def _alone7(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_b
 
 def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_: Any, _p_bridge_depth_: Any, _p_bridge_half_width_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _speed_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `reachable` for one shot."""
-    _until_, _ = _horizon_alone(_when_, _speed_, _p_gravity_)
-    _low0_, _high0_, _low1_, _high1_, _ceiling_, _latest_, _ = _bridge_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k2, _k2, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
+    _until_, _pad_ = _horizon_alone(_when_, _speed_, _p_gravity_)
+    _low0_, _high0_, _low1_, _high1_, _ceiling_, _latest_, _ = _bridge_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _k2, _k2, _k2, _pad_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
     _share_, _arrival_, _certain_ = _beginning_alone()
     _position_level_, _velocity_level_, _ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _k2, _k2, _p_gravity_)
     _flat_, _tilt_, _rate_slack_ = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
@@ -9449,7 +9450,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _last_: Any, _mode_: Any
             _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
             _stride_, _which_, _, _ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k44, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _stride_, _which_, _, _ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k86, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _, _ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k87, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _here_, = _holding_alone(_k1, _held_)
         if _here_:
             _gap_, _nearing_, _near_ = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _x_, _vx_)
@@ -9516,7 +9517,7 @@ def _alone11(_circled_: Any, _clock_: Any, _held_: Any, _last_: Any, _mode_: Any
         _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
         _stride_, _which_, _, _ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k44, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _stride_, _which_, _, _ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k86, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _, _ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k87, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _stride_, _which_ = _beside_time_alone(_which_, _clock_, _time_limit_, _stride_)
         _over_, = _passing_from_alone(_z_)
         _azimuth_clearance_, _ = _isolated_alone()
@@ -9637,7 +9638,7 @@ def _alone12(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _held_: 
             _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
             _stride_, _which_, _, _ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k44, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _stride_, _which_, _, _ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k86, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _, _ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k87, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _here_, = _holding_alone(_k1, _held_)
         if _here_:
             _gap_, _nearing_, _near_ = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _x_, _vx_)
@@ -9709,7 +9710,7 @@ def _alone13(_circled_: Any, _circling_: Any, _clock_: Any, _p_ball_radius_: Any
         _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
         _stride_, _which_, _, _ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k44, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _stride_, _which_, _, _ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k86, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _, _ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k87, _which_, _k2, _k7, _k2, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _stride_, _which_ = _beside_time_alone(_which_, _clock_, _time_limit_, _stride_)
         _over_, = _passing_from_alone(_z_)
         _azimuth_clearance_, _ = _isolated_alone()
@@ -9869,7 +9870,7 @@ def _alone18(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
 def _alone19(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_bottom_: Any, _p_board_distance_: Any, _p_board_half_width_: Any, _p_board_thickness_: Any, _p_board_top_: Any, _p_gravity_: Any, _position_error_: Any, _speed_: Any, _undecided_time_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `reachable` for one shot."""
     _until_, _pad_ = _horizon_alone(_when_, _speed_, _p_gravity_)
-    _low0_, _high0_, _low1_, _high1_, _ceiling_, _latest_, _budget_exceeded_ = _backboard_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
+    _low0_, _high0_, _low1_, _high1_, _ceiling_, _latest_, _budget_exceeded_ = _backboard_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _position_error_, _velocity_error_, _earliest_delay_, _pad_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
     _share_, _arrival_, _certain_ = _beginning_alone()
     _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
     _flat_, _tilt_, _rate_slack_ = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
@@ -9957,7 +9958,7 @@ def _alone21(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
 def _alone22(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_: Any, _p_bridge_depth_: Any, _p_bridge_half_width_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _position_error_: Any, _speed_: Any, _undecided_time_: Any, _velocity_error_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _when_: Any, _which_: Any, _x_: Any, _y_: Any, _z_: Any) -> tuple[Any, ...]:
     """Do the body of `reachable` for one shot."""
     _until_, _pad_ = _horizon_alone(_when_, _speed_, _p_gravity_)
-    _low0_, _high0_, _low1_, _high1_, _ceiling_, _latest_, _budget_exceeded_ = _bridge_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
+    _low0_, _high0_, _low1_, _high1_, _ceiling_, _latest_, _budget_exceeded_ = _bridge_prepare_alone(_until_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _extent_, _speed_, _position_error_, _velocity_error_, _earliest_delay_, _pad_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
     _share_, _arrival_, _certain_ = _beginning_alone()
     _position_level_, _velocity_level_, _excess_ = _allowance_alone(_share_, _latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_gravity_)
     _flat_, _tilt_, _rate_slack_ = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_level_, _velocity_level_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
@@ -10118,7 +10119,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_bound_: Any, _clock_error_: An
             _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
             _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k44, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k86, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k87, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _here_, = _holding_alone(_k1, _held_)
         if _here_:
             _gap_, _nearing_, _near_ = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _x_, _vx_)
@@ -10230,7 +10231,7 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_bound_: Any, _clock_error_: An
         _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
         _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k44, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k86, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k87, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _stride_, _which_ = _beside_time_alone(_which_, _clock_, _time_limit_, _stride_)
         _neighbour_scale_, = _neighbour_scale_alone(_p_ball_radius_, _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_)
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _, _, _, _ = _neighbour_alone(_x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _neighbour_scale_)
@@ -10381,7 +10382,7 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_b
             _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
             _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k44, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k86, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k87, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _here_, = _holding_alone(_k1, _held_)
         if _here_:
             _gap_, _nearing_, _near_ = _backboard_seam0_alone(_p_ball_radius_, _p_board_distance_, _p_board_thickness_, _x_, _vx_)
@@ -10498,7 +10499,7 @@ def _alone27(_circled_: Any, _circling_: Any, _clock_: Any, _clock_bound_: Any, 
         _gap_, _nearing_, _gap_curvature_ = _bridge_beside_alone(_p_ball_radius_, _p_board_distance_, _p_bridge_depth_, _p_bridge_half_width_, _p_ring_radius_, _p_wire_radius_, _x_, _y_, _z_, _vx_, _vy_, _vz_)
         _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_body_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k44, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _gap_, _nearing_, _gap_curvature_ = _end_beside_alone(_p_end_depth_, _z_, _vz_)
-        _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k86, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
+        _stride_, _which_, _undecided_time_, _earliest_delay_ = _beside_end_plane_alone(_p_ball_radius_, _x_, _y_, _z_, _gap_, _k87, _which_, _earliest_delay_, _undecided_time_, _position_error_, _nearing_, _gap_curvature_, _stride_, _strongest_, _fastest_)
         _stride_, _which_ = _beside_time_alone(_which_, _clock_, _time_limit_, _stride_)
         _neighbour_scale_, = _neighbour_scale_alone(_p_ball_radius_, _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_)
         _far_x_, _far_y_, _far_z_, _far_vx_, _far_vy_, _far_vz_, _far_wx_, _far_wy_, _far_wz_, _, _, _, _ = _neighbour_alone(_x_, _y_, _z_, _vx_, _vy_, _vz_, _wx_, _wy_, _wz_, _dx_, _dy_, _dz_, _dvx_, _dvy_, _dvz_, _dwx_, _dwy_, _dwz_, _neighbour_scale_)
@@ -10751,8 +10752,8 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     elif _count30:
         _extent_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _speed_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows29, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_gravity_0, _speed_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count30)
-        _until_1, *_ = horizon(_when_1, _speed_1, _p_gravity_1)
-        _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, *_ = backboard_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, 0.0, 0.0, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
+        _until_1, _pad_1 = horizon(_when_1, _speed_1, _p_gravity_1)
+        _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, *_ = backboard_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, 0.0, 0.0, 0.0, _pad_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
         _share_1, _arrival_1, _certain_1 = beginning()
         _position_level_1, _velocity_level_1, *_ = allowance(_share_1, _latest_1, _extent_1, _speed_1, 0.0, 0.0, _p_gravity_1, _room_1)
         _flat_1, _tilt_1, _rate_slack_1 = backboard_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
@@ -10884,8 +10885,8 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     elif _count54:
         _extent_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _speed_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows53, _extent_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _speed_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count54)
-        _until_1, *_ = horizon(_when_1, _speed_1, _p_gravity_1)
-        _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, *_ = bridge_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, 0.0, 0.0, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
+        _until_1, _pad_1 = horizon(_when_1, _speed_1, _p_gravity_1)
+        _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, *_ = bridge_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, 0.0, 0.0, 0.0, _pad_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
         _share_1, _arrival_1, _certain_1 = beginning()
         _position_level_1, _velocity_level_1, *_ = allowance(_share_1, _latest_1, _extent_1, _speed_1, 0.0, 0.0, _p_gravity_1, _room_1)
         _flat_1, _tilt_1, _rate_slack_1 = bridge_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
@@ -11791,7 +11792,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _position_error_1, _speed_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows29, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_gravity_0, _position_error_0, _speed_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count30)
         _until_1, _pad_1 = horizon(_when_1, _speed_1, _p_gravity_1)
-        _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, _budget_exceeded_1 = backboard_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
+        _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, _budget_exceeded_1 = backboard_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _earliest_delay_1, _pad_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
         _share_1, _arrival_1, _certain_1 = beginning()
         _position_level_1, _velocity_level_1, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
         _flat_1, _tilt_1, _rate_slack_1 = backboard_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
@@ -11933,7 +11934,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _earliest_delay_1, _extent_1, _last_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _speed_1, _undecided_time_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows53, _earliest_delay_0, _extent_0, _last_0, _p_ball_radius_0, _p_board_distance_0, _p_bridge_depth_0, _p_bridge_half_width_0, _p_gravity_0, _p_ring_radius_0, _p_wire_radius_0, _position_error_0, _speed_0, _undecided_time_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count54)
         _until_1, _pad_1 = horizon(_when_1, _speed_1, _p_gravity_1)
-        _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, _budget_exceeded_1 = bridge_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
+        _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, _budget_exceeded_1 = bridge_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _earliest_delay_1, _pad_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
         _share_1, _arrival_1, _certain_1 = beginning()
         _position_level_1, _velocity_level_1, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
         _flat_1, _tilt_1, _rate_slack_1 = bridge_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)

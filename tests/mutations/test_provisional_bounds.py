@@ -55,7 +55,7 @@ FAULTS = (
     Planted(
         "bounds of any size are used",
         in_text(provisional, "doubt", "Not(known), ", ""),
-        contacts,
+        rolls,
     ),
     Planted(
         "hardly any bound is small enough",

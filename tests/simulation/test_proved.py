@@ -11,6 +11,7 @@ import pytest
 from hoopgen.derive.scenes.court import COURT as derived_court
 from hoopgen.derive.scenes.hoop import HOOP as DERIVED
 from hoopgen.derive.scenes.premises import premises
+from hoopgen.derive.scenes.scene import Scene
 
 import hoopgen
 from benchmarks.families import FAMILIES
@@ -217,3 +218,42 @@ def test_a_scene_without_a_floor_has_none() -> None:
     assert premises(replace(DERIVED, ends=(replace(missed, plane=made.plane),))) is None
     ends = (replace(missed, plane=wall),)
     assert premises(replace(derived_court, ends=ends)) is None
+
+
+def with_ends(scene: Scene, *directions: tuple[int, int, int]) -> Scene:
+    """Return the scene with other planes as ends."""
+    end = scene.ends[-1]
+    planes = (
+        replace(end.plane, name=f"end_{k}", direction=way) for k, way in enumerate(directions)
+    )
+    ends = tuple(replace(end, name=plane.name, plane=plane) for plane in planes)
+    return replace(scene, ends=ends, passage=None)
+
+
+def test_scenes_of_which_a_decision_has_no_lemma_prove_nothing() -> None:
+    """Where balls roll, it is not decided on which side of a wall or a ceiling a flight begins.
+
+    The lemmas of arrivals say nothing of planes that gravity pulls off, in no scene.
+    """
+    down, wall, ceiling = (0, 0, 1), (1, 0, 0), (0, 0, -1)
+    assert with_ends(derived_court, down).proves_bounces
+    assert not with_ends(derived_court, down, wall).proves_bounces
+    assert not with_ends(derived_court, down, ceiling).proves_bounces
+    assert with_ends(DERIVED, down, wall).proves_errors
+    assert not with_ends(DERIVED, down, ceiling).proves_errors
+    assert not derived_court.proves_errors
+    assert not DERIVED.proves_bounces
+
+
+def test_flights_among_boxes_are_no_larger_than_their_lemmas_say() -> None:
+    """They are at most 2^40 balls long, however thick the wire is."""
+    slow = np.array(FREE_THROW) * np.repeat([1.0, 0.1, 0.0], 3)
+    slow[2] = 1.0
+    tiny = {"ball_radius": 2.0**-29, "wire_radius": 0.1}
+    assert proved(slow, hoopgen.PAPER_COURT, scene=COURT) == [True]
+    assert proved(
+        slow, hoopgen.PAPER_COURT | tiny, scene=COURT, fields=("contacts", "estimated")
+    ) == [True]
+    tiny["ball_radius"] = 2.0**-34
+    assert proved(slow, hoopgen.PAPER_COURT | tiny, scene=COURT) == [False]
+    assert proved(slow, PAPER | tiny) == [True]
