@@ -10,11 +10,18 @@ import numpy as np
 from benchmarks.contact_errors import KINDS, ContactErrors
 from benchmarks.families import FAMILIES, Family
 from benchmarks.report import number, table
-from hoopgen import COURT, NBA_COURT
+from hoopgen import COURT, PAPER_COURT
 from hoopgen.text.numbers import format_percent
 
 MAX_CONTACTS = 14
 """The judge proves bounces one by one, and many shots bounce until they roll."""
+
+PARAMETERS = PAPER_COURT | {
+    **dict.fromkeys(("ring_friction", "backboard_friction", "bridge_friction"), 0.5),
+    "tangential_restitution": 0.15,
+    "restitution_speed": 40.0,
+}
+"""The article's sizes, for which the families are made, with friction."""
 
 LEFT_OUT = ("axis", "e0", "e001", "e099", "e1", "hoops")
 """Families that touch nothing, or whose parameters are those of another scene."""
@@ -46,7 +53,7 @@ class CourtTally:
 
 
 def court_tally(family: Family, shots: int) -> CourtTally:
-    """Fly and judge a family's releases in `NBA_COURT`.
+    """Fly and judge a family's releases in `COURT`.
 
     Parameters
     ----------
@@ -58,8 +65,8 @@ def court_tally(family: Family, shots: int) -> CourtTally:
     started = time.perf_counter()
     states, _ = family.make(shots)
     options: dict[str, Any] = {"max_contacts": MAX_CONTACTS, "record": True}
-    flown = COURT.simulate(states, NBA_COURT, **options, fields=tuple(COURT.layout.results))
-    proof = COURT.certify(states, NBA_COURT, **options)
+    flown = COURT.simulate(states, PARAMETERS, **options, fields=tuple(COURT.layout.results))
+    proof = COURT.certify(states, PARAMETERS, **options)
     result = CourtTally(family.label, len(flown), int(flown.contacts.sum()))
     result.estimated = int(flown.estimated.sum())
     result.flagged = int((flown.uncertain & ~flown.estimated).sum())
@@ -86,11 +93,12 @@ def court_section(tallies: Sequence[CourtTally]) -> list[str]:
     return [
         "## The whole hoop",
         "",
-        "The same for `NBA_COURT`, in which contacts grip or slip and board and bridge are plates, "
-        f"up to {MAX_CONTACTS} contacts. *Estimated* are shots whose bounds are not proved to the "
-        "end. The other columns are of the rest: *wrong* are those that are neither flagged nor as "
-        "the judge proves them to be, and the last four columns are the largest shares of the "
-        "bounds after a contact.",
+        "The same for `COURT`, with the article's sizes and a friction of 0.5: contacts grip or "
+        "slip, and board and bridge are plates. "
+        f"Shots have up to {MAX_CONTACTS} contacts. *Estimated* are shots whose bounds are not "
+        "proved to the end. The other columns are of the rest: *wrong* are those that are neither "
+        "flagged nor as the judge proves them to be, and the last four columns are the largest "
+        "shares of the bounds after a contact.",
         "",
         *table(head, rows),
     ]
