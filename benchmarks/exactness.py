@@ -229,7 +229,7 @@ def _depths(tallies: Sequence[Tally]) -> list[str]:
 
 
 def as_markdown(
-    tallies: Sequence[Tally], court: Sequence[CourtTally] = (), before: str = ""
+    tallies: Sequence[Tally], before: str = "", court: Sequence[CourtTally] = ()
 ) -> str:
     """Return the report; of the page as it was before, the section written by hand is kept."""
     by_hand = section_of(before, HEADING) if f"{HEADING}\n" in before else []
@@ -319,7 +319,7 @@ def main() -> None:
     write(arguments.out / "exactness.json", numbers + "\n")
     page = arguments.out / "exactness.md"
     before = page.read_text("utf-8") if page.exists() else ""
-    write(page, as_markdown(tallies, court, before))
+    write(page, as_markdown(tallies, before, court))
     broken = [t.wrong or t.unseen or max(*t.ratios, *t.contact_errors.shares) > 1 for t in tallies]
     sys.exit(any(broken) or not all(t.holds for t in court))
 

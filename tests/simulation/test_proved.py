@@ -231,7 +231,7 @@ def with_ends(scene: Scene, *directions: tuple[int, int, int]) -> Scene:
 
 
 def test_scenes_of_which_a_decision_has_no_lemma_prove_nothing() -> None:
-    """Where balls roll, it is not decided on which side of a wall or a ceiling a flight begins.
+    """The side of a wall or a ceiling on which a flight begins is not decided where balls roll.
 
     The lemmas of arrivals say nothing of planes that gravity pulls off, in no scene.
     """
