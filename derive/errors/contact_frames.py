@@ -467,7 +467,7 @@ def contact_errors(flight: Parabola, impact: Impact) -> dict[str, sp.Expr]:
     flight
         The motion between contacts.
     impact
-        The law, as it makes errors of errors.
+        The impact, with the law's effect on errors.
     """
     grows = growth(flight, impact)
     rest = impact.rest(Arrival(flight, impact.ball, grows.here, grows.gap))

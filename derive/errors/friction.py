@@ -50,9 +50,9 @@ An impact is off by at most u (20 (|v| + R_B |w|) + F), with the roundings of th
 (|v| + R_B |w|) + 4 σ |v|, and its spin by u (4 |w| + F/(κ R_B)); |v| and |w| are sums of sizes
 here. The normal velocity, the tangential one and w × n have 3, 5 and 3 roundings of these sizes, so
 that u is off by at most 8 u (|v| + R_B |w|) and |u| by 11 u; S has the seven of its products and
-sums, and σ times that of V. The direction has the roundings of u over |u|, which times S <= G |u|
-are at most as many times G; so do not count that |u| may be small. The margin is off by half of
-2^-48 (G (|v| + R_B |w|) + μ (1 + e_0) |v|).
+sums, and σ times that of V. The direction has the roundings of u over |u|. The impulse has S times
+these, at most G times the roundings of u since S <= G |u|, however small |u| is. The margin is off
+by half of 2^-48 (G (|v| + R_B |w|) + μ (1 + e_0) |v|).
 A normal that is off by ν changes the tangential velocity by (|v| + V) ν, of which V ν is along the
 surface, w × n by |w| ν and V by |v| ν; L gives what that makes of f.
 """

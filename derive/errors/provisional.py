@@ -104,6 +104,7 @@ def doubt(ball: Ball, strength: sp.Expr) -> dict[str, sp.Basic]:
 
 
 delay = sp.Symbol("delay", real=True)
+"""The proved bound on the delay of one contact, s."""
 
 KERNELS = {
     kernel.name: kernel

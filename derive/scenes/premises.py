@@ -9,7 +9,7 @@ Let the ball be released in flight and have N contacts, with the restitution e <
 κ. With S the sum of the sizes of h and of the scene's lengths, X that of the release's coordinates,
 and U = |v|² + κ R_B² |w|² + 2 g (X + S) of the release in Euclid's norms, all flights are such ones
 if X + S + (2 N + 12) U/g <= 2^16 R, and if the ball is released above h, or comes to h upwards and
-meets nothing before.
+meets nothing before. Among boxes that sum also has to be at most 2^40 R_B (`events/box.py`).
 
 It meets nothing before if it comes nearer to the axis until then and is there still further from
 it than R_H + R of each ring, if it is on the same side of each vertical plane at the release and

@@ -71,6 +71,7 @@ def constants() -> dict[str, str]:
         "slowest": provisional.SLOWEST,
         "stretch": second_order.STRETCH,
         "largest_flight": premises.LARGEST,
+        "largest_by_ball": premises.LARGEST_BY_BALL,
         "narrowest": premises.NARROWEST,
         "widest": premises.WIDEST,
         "least": propagation.ERROR_FLOOR,
