@@ -56,16 +56,15 @@ AnyPlane = Plane | InclinedPlane
 def asks_side(plane: AnyPlane, flight: Parabola) -> bool:
     """Return whether it is decided on which side of a plane a flight begins (`plane_start.py`).
 
-    Where balls roll, that is so of planes that end shots and that gravity pulls to: one at rest
-    stays beside an end along gravity, and on a plane that it rolls on.
+    Where balls roll, that is so of planes that end shots: a ball at rest stays on a plane that it
+    rolls on, and is on its side.
 
     Parameters
     ----------
     plane, flight
         As for `plane_arrival`.
     """
-    fall = along(plane.direction, flight.acceleration)
-    return not flight.departs or (isinstance(plane, EndPlane) and bool(fall.is_negative))
+    return not flight.departs or isinstance(plane, EndPlane)
 
 
 def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:

@@ -204,12 +204,11 @@ class Scene:
     def proves_bounces(self) -> bool:
         """True if errors have proved bounds until a ball rolls, beside those that are estimated.
 
-        Where balls roll, it is decided on which side of a plane a flight begins only if the plane
-        ends shots and gravity pulls to it. So no body may be a plane, and no end another one.
+        Where balls roll, it is not decided on which side of a plane a flight begins if the plane
+        belongs to a body. So no body may be a plane.
         """
         planes = any(isinstance(surface, Plane) for surface in self.surfaces)
-        pulls = all(plane.direction == (0, 0, 1) for plane in self.end_planes)
-        return self.rolls and self._has_lemmas and pulls and not planes
+        return self.rolls and self._has_lemmas and not planes
 
     @property
     def _has_lemmas(self) -> bool:

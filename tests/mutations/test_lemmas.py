@@ -22,6 +22,7 @@ from tests.derive.events import test_plane_decisions as planes
 from tests.derive.events import test_ring_window_errors as ring
 from tests.helpers.checked_faults import OfEngine, OfFormulas, OfKernels, Planted, passing, tripping
 from tests.helpers.mutants import in_decisions, in_text, in_tree
+from tests.simulation import test_ends_beside_bodies as ends
 
 pytestmark = [pytest.mark.xdist_group("lemma_mutations")]
 
@@ -55,6 +56,15 @@ height = OfEngine(
 )
 height_of_court = replace(height, scene=COURT)
 
+
+def side_of_end(axis: str) -> OfEngine:
+    """Return the check of an end across an axis, in a scene in which balls roll."""
+    return OfEngine(
+        ends.test_a_ball_that_touches_the_ring_at_an_end_to_within_a_rounding_is_uncertain,
+        scene=ends.ring_with_end(axis, rolls=True),
+    )
+
+
 in_start = partial(in_text, plane_start, "_undecided")
 
 
@@ -67,10 +77,26 @@ FAULTS = (
     Planted("no apex and no start is undecided", without("apex_undecided"), height),
     Planted(
         "where balls roll, the side of an end is sure",
-        in_text(
-            plane, "asks_side", "(isinstance(plane, EndPlane) and bool(fall.is_negative))", "False"
-        ),
+        in_text(plane, "asks_side", "isinstance(plane, EndPlane)", "False"),
         height_of_court,
+    ),
+    *(
+        Planted(
+            f"where balls roll, the side of a wall across {axis} is sure",
+            in_text(
+                plane,
+                "asks_side",
+                "isinstance(plane, EndPlane)",
+                "(isinstance(plane, EndPlane) and bool(plane.direction[2]))",
+            ),
+            side_of_end(axis),
+        )
+        for axis in "xy"
+    ),
+    Planted(
+        "where balls roll, the side of a ceiling is sure",
+        without("plane_start"),
+        side_of_end("z"),
     ),
     Planted(
         "a ball that falls from the start on has no apex",
