@@ -40,6 +40,7 @@ from .state.fields import (
 from .state.shared_kernels import LoopSurface
 from .studies import study_kernels
 from .surfaces import Plane, Surface
+from .surfaces.directions import along
 from .symbolic.conditionals import release
 from .symbolic.isomorphism import Isomorphism, Symbols, isomorphisms
 from .symbolic.symbols import variable
@@ -203,8 +204,12 @@ def _optional_kernels(
     if isinstance(flight, Parabola) and flight.upright:
         faces = [s for k, s in enumerate(scene.surfaces) if k not in tabled]
         across = [face for face in (*faces, *scene.end_planes) if isinstance(face, Plane)]
-        planes = [plane for plane in across if asks_side(plane, flight)]
-        if any(plane.direction[2] for plane in planes):
+        planes = [
+            plane
+            for plane in across
+            if asks_side(plane, flight) and along(plane.direction, flight.acceleration).is_negative
+        ]
+        if planes:
             kernels["plane_start"] = plane_start(planes, flight)
     return kernels
 

@@ -46,6 +46,7 @@ from ..symbolic.rounding import ROUNDING_SLACK, rounding
 from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, position
 from .event_polynomials import event_coefficients, horizon, leaving
 from .plane_filter import apart
+from .plane_start import start_side
 from .predicates import KERNELS
 from .search import Formula, Parts, Search, bounded, edges, given, proposed
 
@@ -54,17 +55,18 @@ AnyPlane = Plane | InclinedPlane
 
 
 def asks_side(plane: AnyPlane, flight: Parabola) -> bool:
-    """Return whether it is decided on which side of a plane a flight begins (`plane_start.py`).
+    """Return whether it is decided on which side of a plane every flight begins.
 
-    Where balls roll, that is so of planes that end shots: a ball at rest stays on a plane that it
-    rolls on, and is on its side.
+    Where balls roll, that is not so of bodies that gravity pulls to, or may pull to: a ball at rest
+    stays on them.
 
     Parameters
     ----------
     plane, flight
         As for `plane_arrival`.
     """
-    return not flight.departs or isinstance(plane, EndPlane)
+    pulls = along(plane.direction, flight.acceleration).is_negative
+    return not flight.departs or isinstance(plane, EndPlane) or pulls is False
 
 
 def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
@@ -264,13 +266,26 @@ class PlaneSearch(Search):
         return asks_side(self.surface, self.flight) and fall == 0
 
     @property
+    def pulled_off(self) -> bool:
+        """True of a plane that gravity pulls a ball off, or may, as its parameters have it."""
+        fall = along(self.surface.direction, self.flight.acceleration)
+        return fall != 0 and not fall.is_negative
+
+    @property
     def formulas(self) -> dict[str, Formula]:
-        """Arrival, margin, and the place of a contact."""
+        """Arrival, margin, the place of a contact, and the start if gravity pulls a ball off."""
         plane = self.surface
         margin = plane_margin(plane, self.flight)
         if self.returns:
             margin = IfLess(0, leaving, returning_margin(plane, self.flight), margin)
         place = position - plane.distance * plane.normal
+        start: dict[str, Formula] = {}
+        if self.pulled_off:
+            start["start_side"] = (
+                start_side(plane, self.flight),
+                "Rate and gap at the start, and its margin.",
+                "running error analysis",
+            )
         return {
             "arrival": (
                 plane_arrival(plane, self.flight),
@@ -287,7 +302,7 @@ class PlaneSearch(Search):
                 "Point of the contact plane nearest to a position.",
                 "Table 2",
             ),
-        }
+        } | start
 
     @property
     def decisions(self) -> dict[str, Kernel]:
@@ -312,17 +327,22 @@ class PlaneSearch(Search):
         yield Call(own["margin"], {"horizon": "nearest"})
         yield Call(common["crossing"], {} if self.remembered else {"rate_margin": 0.0})
         yield Call(KERNELS["within_time"])
+        if self.pulled_off:
+            yield Call(own["start_side"])
+            side = {"rate": "start_rate", "height": "start_gap", "margin": "start_margin"}
+            yield Call(KERNELS["side_undecided"], side)
         # Balls that begin to roll have apexes within the margin all the time.
-        side = "side_undecided" if self.level else "apex_undecided"
-        grazing = KERNELS[side if asks_side(self.surface, self.flight) else "graze_undecided"]
+        asked = asks_side(self.surface, self.flight)
+        apex = "side_undecided" if self.level else "apex_undecided"
+        grazing = Call(KERNELS[apex if asked else "graze_undecided"])
         if not self.surface.bounds:
-            yield Call(grazing)
+            yield grazing
             yield If("possible", (Call(KERNELS["crossing_undecided"]), *proposed(index)))
             return
-        if self.returns:
+        if self.returns and not asked:
             yield from _graze_within_bounds(common, own)
         else:
-            yield Call(grazing)
+            yield grazing
         yield If("possible", (*bounded(common, own, "time"), *proposed(index)))
 
 

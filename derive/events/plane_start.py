@@ -50,67 +50,66 @@ t_e <= 5/3 t_w holds for the events at planes by the lemma of `plane.py`: T is o
 The true ball has b >= 0 where it left the plane, and does not come back. Where b̂ < 0 after all,
 its speed off the plane is nothing but an error: its gap counts as zero, and it is undecided.
 
-A plane from which gravity pulls the ball off (k < 0) is tested as one with k > 0 here; the lemmas
-say nothing of it.
+A plane from which gravity pulls the ball off (k < 0) is tested like one along gravity, by the gap
+and the rate at the start; the lemmas say nothing of it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 import sympy as sp
 
 from ..ir.kernel import Kernel, decision
 from ..motion.parabola import Parabola
-from ..surfaces import Plane
+from ..surfaces import InclinedPlane, Plane
 from ..surfaces.directions import along
-from ..symbolic.conditionals import (
-    AtMost,
-    Choose,
-    Less,
-    absolute,
-    all_of,
-    any_of,
-    barrier,
-)
+from ..symbolic.conditionals import Choose, IfLess, Less, absolute, any_of, barrier
 from ..symbolic.rounding import Rounded, extent, position_error, rounding, velocity_error
 from ..symbolic.symbols import POSITION, VELOCITY
+from .event_polynomials import leaving
 from .predicates import undecided_time
-
-_SIDE = 4
-"""Errors of the gap at the start within which its sign is undecided."""
 
 
 def plane_start(planes: Sequence[Plane], flight: Parabola) -> Kernel:
-    """Return the decision of planes at the start of a flight, besides those of their searches.
-
-    It is about the errors where gravity pulls a ball to a plane, and the side of a plane from which
-    it pulls the ball off.
+    """Return the decision whether errors are small enough for planes that gravity pulls to.
 
     Parameters
     ----------
     planes
-        The planes of a scene across axes.
+        Planes across axes that gravity pulls to.
     flight
         The motion between contacts.
     """
-    found = [condition for plane in planes for condition in _undecided(plane, flight)]
-    summary = "Undecided time 0 if the side of a plane on which the flight begins is undecided."
+    falls = (along(plane.direction, flight.acceleration) for plane in planes)
+    strengths = dict.fromkeys(barrier(absolute(fall) / 2) for fall in falls)
+    unsure = barrier(2 * velocity_error)
+    found = [Less(barrier(each * position_error), barrier(unsure**2)) for each in strengths]
+    summary = "Undecided time 0 if errors are too large to decide on which side a flight begins."
     return decision(
-        "plane_start",
-        {"undecided_time": Choose(any_of(*dict.fromkeys(found)), 0, undecided_time)},
-        summary,
+        "plane_start", {"undecided_time": Choose(any_of(*found), 0, undecided_time)}, summary
     )
 
 
-def _undecided(plane: Plane, flight: Parabola) -> Iterator[sp.Basic]:
+def start_side(plane: Plane | InclinedPlane, flight: Parabola) -> dict[str, sp.Expr]:
+    """Return rate, gap and margin at the start, for a plane from which gravity pulls a ball off.
+
+    If gravity does so with some parameters only, the rate is infinite with others. A ball that
+    leaves the plane does not come back. If its rate is negative all the same, that is an error.
+
+    Parameters
+    ----------
+    plane
+        The plane.
+    flight
+        The motion between contacts.
+    """
     fall = along(plane.direction, flight.acceleration)
-    unsure = barrier(2 * velocity_error)
-    if fall.is_negative:
-        strength = barrier(absolute(fall) / 2)
-        yield Less(barrier(strength * position_error), barrier(unsure**2))
-    elif fall != 0:
-        known = dict.fromkeys(POSITION, Rounded(extent, position_error))
-        near = barrier(_SIDE * rounding(plane.condition, known).error)
-        rate = along(plane.direction, VELOCITY)
-        yield all_of(Less(rate, unsure), AtMost(absolute(barrier(plane.condition)), near))
+    rate = barrier(along(plane.direction, VELOCITY))
+    off = IfLess(0, leaving, IfLess(rate, 0, rate, sp.oo), rate)
+    known = dict.fromkeys(POSITION, Rounded(extent, position_error))
+    return {
+        "start_rate": off if fall.is_positive else IfLess(barrier(fall), 0, sp.oo, off),
+        "start_gap": barrier(plane.condition),
+        "start_margin": 2 * rounding(plane.condition, known).error,
+    }

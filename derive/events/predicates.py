@@ -172,6 +172,8 @@ _graze_delay = 3 * sp.sqrt(barrier(margin / barrier(IfLess(0, absolute(bend), ab
 _still = all_of(Less(t, end), Not(Less(t, following)))
 _sunk = Less(gap, -margin)
 _lands = all_of(met, arrives)
+_on_either_side = all_of(AtMost(t, 0), AtMost(leaving, 0), AtMost(gap, margin))
+"""True of a flight that begins at a surface that it has not left: it may begin behind it."""
 _near = all_of(Equal(last, index), Less(tilt * t, flat))
 _exhausted = all_of(Not(hit), Not(needs_refinement), AtMost(end - t, step))
 
@@ -242,7 +244,7 @@ KERNELS = {
                     undecided_time,
                 )
             },
-            "Undecided time 0 if the gap of a plane along gravity is zero within its error.",
+            "Undecided time 0 if the gap of a plane is zero within its error, and falls.",
         ),
         decision(
             "graze_delay",
@@ -469,6 +471,7 @@ KERNELS = {
                 "searching": all_of(Not(_lands), Not(all_of(_exhausted, Not(penetrates)))),
                 "side": Choose(Or(penetrates, all_of(hit, Not(_lands))), -side, side),
                 "t": Choose(hit, candidate, Choose(Or(needs_refinement, penetrates), t, following)),
+                "undecided_time": Choose(all_of(_lands, _on_either_side), 0, undecided_time),
             },
             "The search after a step that passes a root out of bounds and goes on behind it.",
         ),

@@ -53,6 +53,10 @@ at least 2 V² + 2 z'², so H <= 0: a contradiction. Through |d| = R̂ it is the
 
 In single precision C is a bound on the next 2 (G + 2 m)/r alone, in the window, and r² > 16 C
 (G + 2 m) implies the same.
+
+A ball may be behind a surface that has bounds, or a plane in air. It is in front at the start if
+F^ > m there, or if it leaves the surface. If F^ is at most m otherwise, and falls, the true ball
+may be behind and meet nothing: an arrival of that step is undecided (`passed` in `predicates.py`).
 """
 
 from __future__ import annotations

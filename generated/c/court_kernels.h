@@ -2594,7 +2594,7 @@ LANES(court_remember_grip_deficit)(V clock, V grip_deficit, V grip_deficit_rate)
     return (LANES(court_remember_grip_deficit_out)){ grip_deficit, grip_deficit_rate, clock };
 }
 
-/* Undecided time 0 if the side of a plane on which the flight begins is undecided.
+/* Undecided time 0 if errors are too large to decide on which side a flight begins.
    Table 1. 5 operations: 3 multiplications, 1 comparison, 1 selection. */
 typedef struct {
     V undecided_time;

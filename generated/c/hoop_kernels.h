@@ -385,7 +385,7 @@ LANES(hoop_apex_undecided)(V margin, V apex, V height, V undecided_time)
     return (LANES(hoop_apex_undecided_out)){ lanes_select(lanes_both(lanes_at_most(K(0.0), apex), lanes_at_most(lanes_abs(height), margin)), K(0.0), undecided_time) };
 }
 
-/* Undecided time 0 if the gap of a plane along gravity is zero within its error.
+/* Undecided time 0 if the gap of a plane is zero within its error, and falls.
    Table 1. 7 operations: 2 multiplications, 1 absolute value, 2 comparisons, 1 conjunction, 1 selection. */
 typedef struct {
     V undecided_time;
@@ -1001,7 +1001,7 @@ LANES(hoop_reachable)(V x, V vx, V horizon, V extent, V speed, V pad, V earliest
     return (LANES(hoop_reachable_out)){ lanes_not(_s7) };
 }
 
-/* Undecided time 0 if the side of a plane on which the flight begins is undecided.
+/* Undecided time 0 if errors are too large to decide on which side a flight begins.
    Table 1. 5 operations: 3 multiplications, 1 comparison, 1 selection. */
 typedef struct {
     V undecided_time;

@@ -2575,7 +2575,7 @@ static __device__ __forceinline__ kernel_remember_grip_deficit_out kernel_rememb
     return {grip_deficit, grip_deficit_rate, clock};
 }
 
-/* Undecided time 0 if the side of a plane on which the flight begins is undecided.
+/* Undecided time 0 if errors are too large to decide on which side a flight begins.
    Table 1. 8 operations: 4 multiplications, 1 negation, 1 absolute value, 1 comparison, 1 selection. */
 struct kernel_plane_start_out {
     double undecided_time;

@@ -458,7 +458,7 @@ static __device__ __forceinline__ kernel_apex_undecided_out kernel_apex_undecide
     return {choose(((0.0 <= apex) && (fabs(height) <= margin)), 0.0, undecided_time)};
 }
 
-/* Undecided time 0 if the gap of a plane along gravity is zero within its error.
+/* Undecided time 0 if the gap of a plane is zero within its error, and falls.
    Table 1. 7 operations: 2 multiplications, 1 absolute value, 2 comparisons, 1 conjunction, 1 selection. */
 struct kernel_side_undecided_out {
     double undecided_time;
@@ -1017,7 +1017,7 @@ static __device__ __forceinline__ kernel_reachable_out kernel_reachable(double p
     return {!_s8};
 }
 
-/* Undecided time 0 if the side of a plane on which the flight begins is undecided.
+/* Undecided time 0 if errors are too large to decide on which side a flight begins.
    Table 1. 8 operations: 4 multiplications, 1 negation, 1 absolute value, 1 comparison, 1 selection. */
 struct kernel_plane_start_out {
     double undecided_time;

@@ -3134,7 +3134,7 @@ def remember_grip_deficit(clock: Any, grip_deficit: Any, grip_deficit_rate: Any)
 
 
 def plane_start(p_gravity: Any, undecided_time: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
-    """Undecided time 0 if the side of a plane on which the flight begins is undecided.
+    """Undecided time 0 if errors are too large to decide on which side a flight begins.
 
     Table 1. 8 operations: 4 multiplications, 1 negation, 1 absolute value, 1 comparison, 1 selection.
     """

@@ -1120,7 +1120,7 @@ def apex_undecided(margin: Any, apex: Any, height: Any, undecided_time: Any) -> 
 
 
 def side_undecided(rate: Any, margin: Any, height: Any, undecided_time: Any, velocity_error: Any) -> tuple[Any, ...]:
-    """Undecided time 0 if the gap of a plane along gravity is zero within its error.
+    """Undecided time 0 if the gap of a plane is zero within its error, and falls.
 
     Table 1. 7 operations: 2 multiplications, 1 absolute value, 2 comparisons, 1 conjunction, 1 selection.
     """
@@ -1541,7 +1541,7 @@ def reachable(p_ball_radius: Any, p_board_distance: Any, p_bridge_half_width: An
 
 
 def plane_start(p_gravity: Any, undecided_time: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
-    """Undecided time 0 if the side of a plane on which the flight begins is undecided.
+    """Undecided time 0 if errors are too large to decide on which side a flight begins.
 
     Table 1. 8 operations: 4 multiplications, 1 negation, 1 absolute value, 1 comparison, 1 selection.
     """

@@ -178,7 +178,7 @@ FAULTS = (
     ),
     Planted(
         "an apex is undecided beyond the bounds, too",
-        in_text(plane.PlaneSearch, "nodes", "if self.returns:", "if False:"),
+        in_text(plane.PlaneSearch, "nodes", "if self.returns and not asked:", "if False:"),
         on_tiles,
     ),
     Planted(

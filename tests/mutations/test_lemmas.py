@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 import pytest
@@ -22,7 +21,7 @@ from tests.derive.events import test_plane_decisions as planes
 from tests.derive.events import test_ring_window_errors as ring
 from tests.helpers.checked_faults import OfEngine, OfFormulas, OfKernels, Planted, passing, tripping
 from tests.helpers.mutants import in_decisions, in_text, in_tree
-from tests.simulation import test_ends_beside_bodies as ends
+from tests.simulation import test_passed_surfaces as passed
 
 pytestmark = [pytest.mark.xdist_group("lemma_mutations")]
 
@@ -57,15 +56,17 @@ height = OfEngine(
 height_of_court = replace(height, scene=COURT)
 
 
-def side_of_end(axis: str) -> OfEngine:
-    """Return the check of an end across an axis, in a scene in which balls roll."""
-    return OfEngine(
-        ends.test_a_ball_that_touches_the_ring_at_an_end_to_within_a_rounding_is_uncertain,
-        scene=ends.ring_with_end(axis, rolls=True),
+def start_inputs(node: Any) -> set[Any]:
+    """Return what an evaluation of a kernel takes in place of its arguments."""
+    return set(node.inputs.values()) if isinstance(node, Call) else set()
+
+
+def behind(surface: str, more: str) -> OfEngine:
+    """Return the check of a surface that a ball may be behind, in a scene of its own."""
+    test = (
+        passed.test_a_ball_that_leaves_the_ring_at_such_a_surface_to_within_a_rounding_is_uncertain
     )
-
-
-in_start = partial(in_text, plane_start, "_undecided")
+    return OfEngine(test, scene=passed.ring_and(surface, more))
 
 
 def without(kernel: str) -> Any:
@@ -82,21 +83,42 @@ FAULTS = (
     ),
     *(
         Planted(
-            f"where balls roll, the side of a wall across {axis} is sure",
+            f"where balls roll, the side of an end across {axis} is sure",
             in_text(
                 plane,
                 "asks_side",
-                "isinstance(plane, EndPlane)",
-                "(isinstance(plane, EndPlane) and bool(plane.direction[2]))",
+                "isinstance(plane, EndPlane) or pulls is False",
+                "(isinstance(plane, EndPlane) and pulls)",
             ),
-            side_of_end(axis),
+            behind(f"end across {axis}", "rolls"),
         )
         for axis in "xy"
     ),
     Planted(
-        "where balls roll, the side of a ceiling is sure",
-        without("plane_start"),
-        side_of_end("z"),
+        "where balls roll, the side of a wall is sure",
+        in_text(plane, "asks_side", " or pulls is False", ""),
+        behind("wall", "rolls"),
+    ),
+    *(
+        Planted(
+            f"nothing is undecided at the start at the {surface}, {more or 'where none rolls'}",
+            in_tree(lambda n: () if "start_gap" in start_inputs(n) else (n,)),
+            behind(surface, more),
+        )
+        for surface, more in (
+            ("end across z", "rolls"),
+            ("ceiling", "rolls"),
+            ("overhang", ""),
+            ("wall", "leans"),
+        )
+    ),
+    *(
+        Planted(
+            f"a search that may begin behind the {surface} is sure of it",
+            in_decisions(searching, "all_of(_lands, _on_either_side)", "false"),
+            behind(surface, ""),
+        )
+        for surface in ("sphere", "cylinder")
     ),
     Planted(
         "a ball that falls from the start on has no apex",
@@ -149,7 +171,7 @@ FAULTS = (
     ),
     Planted(
         "errors of the velocity may be of any size beside those of the place",
-        in_start("barrier(unsure**2)", "barrier(0 * unsure**2)"),
+        in_text(plane_start, "plane_start", "barrier(unsure**2)", "barrier(0 * unsure**2)"),
         arrival,
     ),
     Planted(
