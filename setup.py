@@ -24,6 +24,9 @@ ROOMS = ("derive", "templates", "generated")
 # Of long kernels in straight lines -O3 makes no faster code than -O1 does in half the time.
 LEVEL = {"court": ["-O1"], "air": ["-O1"], "court_air": ["-O1"]}
 
+# Scenes whose loop with bounds on errors is slower if the compiler first orders its instructions.
+UNORDERED = {"court"}
+
 # HOOPGEN_WIDTHS=all compiles every vector width, for any processor, as wheels that are given away
 # need. Else the one of this processor is compiled, and one lane, with which others can serve too.
 ALL_WIDTHS = os.environ.get("HOOPGEN_WIDTHS", "native") == "all"
@@ -60,6 +63,8 @@ class BuildPlainLibrary(build_ext):
         ]
         if scene in LEVEL:
             ext.define_macros.append((f"{scene.upper()}_ONE_REGION", "1"))
+        if scene in UNORDERED:
+            ext.define_macros.append((f"{scene.upper()}_ORDERED_BOUNDS", "0"))
         width = 0 if msvc or ALL_WIDTHS else self._native_width()
         if width:
             ext.define_macros.append((f"{scene.upper()}_NATIVE", str(width)))

@@ -106,7 +106,14 @@ static M LANES(court_validate)(const LANES(column) *p, size_t row)
 #define OR_ZERO(name) name
 #define OR_INFINITE(name) name
 #define LOOP(name) LANES(court_bounded_##name)
+#if !COURT_ORDERED_BOUNDS && defined(__GNUC__) && !defined(__clang__)
+#pragma GCC push_options
+#pragma GCC optimize("no-schedule-insns")
+#endif
 #include "court_loop.h"
+#if !COURT_ORDERED_BOUNDS && defined(__GNUC__) && !defined(__clang__)
+#pragma GCC pop_options
+#endif
 #undef LOOP
 #undef BOUNDED
 #undef BOUNDS

@@ -41,6 +41,12 @@ _Static_assert(sizeof(hoop_environment) == ENVIRONMENT_WORDS * sizeof(uint64_t),
 #pragma GCC optimize("ira-region=one")
 #endif
 
+/* Whether GCC orders the instructions of the loop with bounds before it assigns registers, where that of
+   loops is of use: it loses if kernels need many more registers than there are. */
+#ifndef HOOP_ORDERED_BOUNDS
+#define HOOP_ORDERED_BOUNDS 1
+#endif
+
 /* Lanes of a value in registers of so many bits. */
 #if LANES_VECTORS == 1
 #define LANES_IN_256 4

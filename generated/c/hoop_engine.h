@@ -102,7 +102,14 @@ static M LANES(hoop_validate)(const LANES(column) *p, size_t row)
 /* Whether no shots are begun until those in flight have ended. */
 #define HELD (TIGHTENING || worklist->loose_shots + LANES_SHOTS > LANES_LOOSE)
 #define LOOP(name) LANES(hoop_bounded_##name)
+#if !HOOP_ORDERED_BOUNDS && defined(__GNUC__) && !defined(__clang__)
+#pragma GCC push_options
+#pragma GCC optimize("no-schedule-insns")
+#endif
 #include "hoop_loop.h"
+#if !HOOP_ORDERED_BOUNDS && defined(__GNUC__) && !defined(__clang__)
+#pragma GCC pop_options
+#endif
 #undef LOOP
 #undef TIGHTENING
 #undef HELD
