@@ -173,17 +173,17 @@ def grazes(n: int) -> Grazes:
 
 @dataclass(frozen=True)
 class Tally:
-    """Somebody's grazes: contacts that were missed, and invented, without doubt; shots in doubt."""
+    """A contender's grazes: contacts missed and invented without a flag, and uncertain shots."""
 
     touching: int
     passing: int
     missed: int
     invented: int
-    doubt: int
+    uncertain: int
 
 
 Look = Callable[[States], tuple[NDArray[np.int8], Floats, Bools]]
-"""Function of states to the first surface, the time of its contact, and what is in doubt."""
+"""Function of states to the first surface, the time of its contact, and what is undecided."""
 
 
 def _by_hoopgen(states: States) -> tuple[NDArray[np.int8], Floats, Bools]:
@@ -200,14 +200,14 @@ def tally(found: Grazes, look: Look, known: Bools) -> Tally:
     """Return the tally of somebody's grazes, of those whose truth is `known`, (2, n)."""
     seen = [look(states) for states in (found.touching, found.passing)]
     touches = np.stack([(f == RING) & (np.abs(t - found.time) < WINDOW) for f, t, _ in seen])
-    doubt = np.stack([one[2] for one in seen])
-    sure = known & ~doubt
+    uncertain = np.stack([one[2] for one in seen])
+    sure = known & ~uncertain
     return Tally(
         int(known[0].sum()),
         int(known[1].sum()),
         int((sure[0] & ~touches[0]).sum()),
         int((sure[1] & touches[1]).sum()),
-        int((known & doubt).sum()),
+        int((known & uncertain).sum()),
     )
 
 

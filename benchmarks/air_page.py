@@ -43,7 +43,7 @@ def _errors(results: Results) -> list[str]:
 
 def _grazes(results: Results) -> list[str]:
     rows = [
-        [LABELS[key], f"{one.missed}", f"{one.invented}", f"{one.doubt}"]
+        [LABELS[key], f"{one.missed}", f"{one.invented}", f"{one.uncertain}"]
         for key, one in results.grazes.items()
     ]
     return table(["", "missed", "invented", "uncertain"], rows)

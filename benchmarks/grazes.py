@@ -170,11 +170,11 @@ def graze(kind: Kind, n: int) -> Grazes:
 
 @dataclass(frozen=True)
 class Seen:
-    """A contender's verdicts on grazes: whether the ball touches, and whether that is in doubt,
+    """A contender's verdicts on grazes: whether the ball touches, and whether that is undecided,
     both (n,)."""
 
     touches: Bools
-    doubt: Bools
+    uncertain: Bools
 
 
 Look = Callable[[Kind, Grazes], Seen]
@@ -185,7 +185,7 @@ def _touching(kind: Kind, grazes: Grazes, first: NDArray[np.int8], time: Floats)
 
 
 def judged(kind: Kind, grazes: Grazes, parameters: Mapping[str, Any] = PAPER) -> Seen:
-    """Return the proved contacts; those that the judge cannot decide are in doubt."""
+    """Return the proved contacts; those that the judge cannot decide are uncertain."""
     proved = certify(grazes.states, parameters, max_contacts=1)
     time = np.where(proved.decided, proved.time, np.inf)
     return Seen(_touching(kind, grazes, proved.first, time), ~proved.decided)
@@ -210,14 +210,14 @@ def _by_peer(peer: Peer) -> Look:
 
 OURS = {"hoopgen C": _by_hoopgen("c"), "hoopgen NumPy": _by_hoopgen("numpy")}
 FIELD: dict[str, Look] = {**OURS, **{peer.label: _by_peer(peer) for peer in PEERS}}
-"""The contenders: hoopgen is in doubt where a shot is `uncertain`, the peers never."""
+"""The contenders: hoopgen is uncertain where a shot is `uncertain`, the peers never."""
 
 
 @dataclass(frozen=True)
 class Tally:
     """Somebody's grazes of a kind and band, of which the judge has proved `touching` and `passing`
     and could not decide `undecided`. `missed` and `invented` contacts are those that are not in
-    doubt; `wrong_in_doubt` counts the others."""
+    uncertain; `wrong_uncertain` counts the others."""
 
     who: str
     kind: str
@@ -227,21 +227,21 @@ class Tally:
     undecided: int
     missed: int
     invented: int
-    doubt: int
-    wrong_in_doubt: int
+    uncertain: int
+    wrong_uncertain: int
 
 
 def _tally(who: str, kind: Kind, band: int, within: Bools, right: Seen, seen: Seen) -> Tally:
-    known = within & ~right.doubt
-    wrong, sure = known & (seen.touches != right.touches), ~seen.doubt
+    known = within & ~right.uncertain
+    wrong, sure = known & (seen.touches != right.touches), ~seen.uncertain
     columns = {
         "touching": known & right.touches,
         "passing": known & ~right.touches,
-        "undecided": within & right.doubt,
+        "undecided": within & right.uncertain,
         "missed": wrong & sure & right.touches,
         "invented": wrong & sure & ~right.touches,
-        "doubt": within & seen.doubt,
-        "wrong_in_doubt": wrong & seen.doubt,
+        "uncertain": within & seen.uncertain,
+        "wrong_uncertain": wrong & seen.uncertain,
     }
     return Tally(who, kind.key, band, **{name: int(one.sum()) for name, one in columns.items()})
 

@@ -12,7 +12,7 @@ from benchmarks.report import table
 MATTERS = ("processor", "system", "python", "hoopgen", "numpy", "scipy", "heyoka")
 """Facts of the machine that the page gives; it has no speeds."""
 
-COUNTS = ("touching", "passing", "undecided", "missed", "invented", "doubt", "wrong_in_doubt")
+COUNTS = ("touching", "passing", "undecided", "missed", "invented", "uncertain", "wrong_uncertain")
 
 
 def as_json(tallies: Sequence[Tally]) -> str:
@@ -48,8 +48,8 @@ def summary(tallies: Sequence[Tally]) -> list[str]:
         ]
         for row in rows:
             own = _summed(tallies, who=row[0], band=band)
-            doubt = f"{own['doubt']:,}" if row[0] in OURS else "–"
-            row += [f"{own['missed']:,}", f"{own['invented']:,}", doubt]
+            uncertain = f"{own['uncertain']:,}" if row[0] in OURS else "–"
+            row += [f"{own['missed']:,}", f"{own['invented']:,}", uncertain]
     return table(head, rows)
 
 
@@ -63,7 +63,9 @@ def _by_kind(tallies: Sequence[Tally], band: int) -> list[str]:
             own = _summed(tallies, who=who, band=band, kind=kind.key)
             cell = f"{own['missed']}, {own['invented']}"
             cells.append(
-                f"{cell} ({own['doubt']}, {own['wrong_in_doubt']})" if own["doubt"] else cell
+                f"{cell} ({own['uncertain']}, {own['wrong_uncertain']})"
+                if own["uncertain"]
+                else cell
             )
         rows.append([who, *cells])
     return [f"## By kind, {_range(band)}", "", *table(["", *(k.label for k in KINDS)], rows)]

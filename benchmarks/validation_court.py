@@ -29,7 +29,7 @@ REASONS = {
     "starts": "starts in a body that only `COURT` has",
     "rolls": "rolls in `COURT` and bounces on in `HOOP`",
     "ends": "ends in `COURT` and is capped in `HOOP`",
-    "doubt": "is uncertain in one of the scenes",
+    "uncertain": "is uncertain in one of the scenes",
 }
 """Why a shot changes: the first of these that happens to it."""
 
@@ -99,7 +99,7 @@ def _first_reasons(hoop: hoopgen.Shots, court: hoopgen.Shots) -> NDArray[np.int6
     places = {name: k for k, name in enumerate(REASONS)}
     reason = np.full(len(hoop), len(REASONS))
     # The last reasons first: others take their place.
-    reason[hoop.uncertain | court.uncertain] = places["doubt"]
+    reason[hoop.uncertain | court.uncertain] = places["uncertain"]
     given_up = (hoop.outcome == Outcome.CAPPED) & (court.outcome != Outcome.CAPPED)
     reason[given_up] = places["ends"]
     invalid = (court.outcome == Outcome.INVALID) & (hoop.outcome != Outcome.INVALID)

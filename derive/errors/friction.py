@@ -329,9 +329,9 @@ class FrictionImpact(Impact):
         if self.friction.decides:
             changed = barrier(barrier(change + radius * twist) + slid)
             small = barrier(LARGEST_CHANGE * barrier(changed + LEAST_SLIP * total) - slip_speed)
-            moved = barrier(share * changed + steepest * barrier(change + steered))
+            turned = barrier(share * changed + steepest * barrier(change + steered))
             blurred = barrier(MARGIN_ROUNDING * barrier(share * total + steepest * size))
-            decided = barrier(ROOM * moved + blurred - absolute(slip_margin))
+            decided = barrier(ROOM * turned + blurred - absolute(slip_margin))
             excess = maximum(excess, decided, IfLess(slip_margin, 0, small, -1))
         return Rest(arrival, speed_after, spin_after, extras, unrolled, excess)
 

@@ -86,7 +86,7 @@ def bounds_at_time(flight: Parabola) -> dict[str, sp.Expr]:
     return own | {clock_bound.name: sp.Integer(0)}
 
 
-def doubt(ball: Ball, strength: sp.Expr) -> dict[str, sp.Basic]:
+def estimated_after_contact(ball: Ball, strength: sp.Expr) -> dict[str, sp.Basic]:
     """Return whether a shot is estimated from a contact on.
 
     Parameters
@@ -110,9 +110,9 @@ KERNELS = {
     kernel.name: kernel
     for kernel in (
         decision(
-            "proving",
+            "proves",
             {
-                "proving": all_of(Boolean("touches"), AtMost(estimated, 0)),
+                "proves_contact": all_of(Boolean("touches"), AtMost(estimated, 0)),
                 "proves_end": all_of(Boolean("ends"), AtMost(estimated, 0)),
             },
             "Whether a contact, and an end, of a shot is met that is not estimated.",

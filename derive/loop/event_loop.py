@@ -347,7 +347,7 @@ def _contact(
         yield from kind.evaluate(common, "carry_normal")
     yield from _laws(common, contacts)
     if "bound_end" in common:
-        yield If("touches", (Call(common["doubt"]),), usual=True)
+        yield If("touches", (Call(common["estimated_after_contact"]),), usual=True)
     for kind in kinds:
         yield from kind.evaluate(common, "place")
     slowed = (Call(common["leaves_slowly"]),) if "in_contact" in common else ()
@@ -374,7 +374,7 @@ def _bounds_until_rolling(
 ) -> Iterator[Node]:
     """Carry proved bounds to a contact or an end, unless the shot's bounds are estimated."""
     yield from _frames(common, contacts, end_planes)
-    yield Call(common["proving"])
+    yield Call(common["proves"])
     if end_planes:
         yield If("proves_end", tuple(_bounded(common, common["bound_end"])))
 
@@ -413,7 +413,7 @@ def _law_bounds(common: Parts, surface: LoopSurface, its: Mapping[str, str]) -> 
         return tuple(given_as(call, its) for call in (*slip, *over(common, law[part])))
 
     if "bound" in law:
-        yield If("proving", carried("bound"), usual=True)
+        yield If("proves_contact", carried("bound"), usual=True)
     if "tighten" in law:
         yield If("carries", carried("carry"), usual=True)
         yield If("tightens", carried("tighten"), rare=True)

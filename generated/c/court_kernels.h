@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 0ede778297a8c774,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 409c6c16e4d3ba18,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -160,27 +160,27 @@ LANES(court_bound_time)(S t, S x, S y, S z, S vx, S vy, S vz, S clock, S positio
    comparison. 17 operations: 2 additions, 4 multiplications, 5 comparisons, 2 conjunctions, 2 disjunctions, 1 complement, 1 selection. */
 typedef struct {
     V estimated;
-} LANES(court_doubt_out);
+} LANES(court_estimated_after_contact_out);
 
-LANES_INLINE LANES(court_doubt_out)
-LANES(court_doubt)(V vx, V vy, V vz, V nx, V ny, V nz, V position_bound, V velocity_bound, V spin_bound, V estimated, V _c0)
+LANES_INLINE LANES(court_estimated_after_contact_out)
+LANES(court_estimated_after_contact)(V vx, V vy, V vz, V nx, V ny, V nz, V position_bound, V velocity_bound, V spin_bound, V estimated, V _c0)
 {
     const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const M _s1 = lanes_either(lanes_either(lanes_less(K(0.0), estimated), lanes_not(lanes_both(lanes_both(lanes_at_most(position_bound, K(1.1641532182693481e-10)), lanes_less(velocity_bound, K(INFINITY))), lanes_less(spin_bound, K(INFINITY))))), lanes_less(lanes_mul(_s0, _s0), _c0));
-    return (LANES(court_doubt_out)){ lanes_select(_s1, K(1.0), K(0.0)) };
+    return (LANES(court_estimated_after_contact_out)){ lanes_select(_s1, K(1.0), K(0.0)) };
 }
 
 /* Whether a contact, and an end, of a shot is met that is not estimated.
    Table 1. 3 operations: 1 comparison, 2 conjunctions. */
 typedef struct {
-    M proving, proves_end;
-} LANES(court_proving_out);
+    M proves_contact, proves_end;
+} LANES(court_proves_out);
 
-LANES_INLINE LANES(court_proving_out)
-LANES(court_proving)(M ends, M touches, V estimated)
+LANES_INLINE LANES(court_proves_out)
+LANES(court_proves)(M ends, M touches, V estimated)
 {
     const M _s0 = lanes_at_most(estimated, K(0.0));
-    return (LANES(court_proving_out)){ lanes_both(touches, _s0), lanes_both(ends, _s0) };
+    return (LANES(court_proves_out)){ lanes_both(touches, _s0), lanes_both(ends, _s0) };
 }
 
 /* A ball that may begin to roll is estimated from then on.

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation 0ede778297a8c774,
+   Generated from templates/c/loop.h.j2, scene court, derivation 409c6c16e4d3ba18,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -5542,8 +5542,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                     EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), root_offset, root_level)
                     EACH(SELECT_SINGLE, (_if_here_7, _bridge_tangents_1), normal_rounding)
                 }
-                CALL(court_proving, _proving_1)(ends, touches, estimated);
-                EACH(GET_MASK, _proving_1, proving, proves_end)
+                CALL(court_proves, _proves_1)(ends, touches, estimated);
+                EACH(GET_MASK, _proves_1, proves_contact, proves_end)
                 const M _if_proves_end_1 = lanes_both(_if_meeting_1, proves_end);
                 if (lanes_any(_if_proves_end_1)) {
                     CALL(court_bound_end, _bound_end_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(clock), position_bound, velocity_bound, spin_bound, root_offset, lanes_narrow(normal_velocity), FIXED_SINGLE(0), FIXED_SINGLE(20));
@@ -5623,28 +5623,33 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 const M _if_struck_0_1 = lanes_both(_if_meeting_1, struck_0);
                 if (lanes_any(_if_struck_0_1)) {
 #if BOUNDED
-                    const M _if_proving_1 = lanes_both(_if_struck_0_1, proving);
-                    if (LANES_USUAL(_if_proving_1)) {
+                    const M _if_proves_contact_1 = lanes_both(_if_struck_0_1, proves_contact);
+                    if (LANES_USUAL(_if_proves_contact_1)) {
                         CALL(court_ring_impact_slip, _ring_impact_slip_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167), FIXED(168));
                         EACH(GET, _ring_impact_slip_1, slip_share, slip_margin, slip_speed, slip_x)
                         EACH(GET, _ring_impact_slip_1, slip_y, slip_z)
                         CALL(court_bound_ring_impact, _bound_ring_impact_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(wx), lanes_narrow(wy), lanes_narrow(wz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(clock), frame_nx, frame_ny, frame_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, lanes_narrow(normal_velocity), lanes_narrow(back), lanes_narrow(slip_share), lanes_narrow(slip_margin), lanes_narrow(slip_speed), lanes_narrow(slip_x), lanes_narrow(slip_y), lanes_narrow(slip_z), lanes_narrow(its_0_ring_impact), lanes_narrow(its_1_ring_impact), FIXED_SINGLE(33), FIXED_SINGLE(0), FIXED_SINGLE(54), FIXED_SINGLE(20), FIXED_SINGLE(55), FIXED_SINGLE(56), FIXED_SINGLE(57), FIXED_SINGLE(58), FIXED_SINGLE(59), FIXED_SINGLE(38), FIXED_SINGLE(60), FIXED_SINGLE(61));
-                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), place_n, place_s)
-                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), place_e, pace_n)
-                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), pace_s, pace_e)
-                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), turn_n, turn_z)
-                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), position_bound)
-                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), velocity_bound)
-                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), spin_bound)
-                        frame_nx = singles_select(singles_of(_if_proving_1), _bound_ring_impact_1.left_nx, frame_nx);
-                        frame_ny = singles_select(singles_of(_if_proving_1), _bound_ring_impact_1.left_ny, frame_ny);
-                        frame_nz = singles_select(singles_of(_if_proving_1), _bound_ring_impact_1.left_nz, frame_nz);
-                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), left_ex, left_ey)
-                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), left_bend_s)
-                        EACH(SELECT_SINGLE, (_if_proving_1, _bound_ring_impact_1), left_bend_e)
+                        EACH(SELECT_SINGLE, (_if_proves_contact_1, _bound_ring_impact_1), place_n)
+                        EACH(SELECT_SINGLE, (_if_proves_contact_1, _bound_ring_impact_1), place_s)
+                        EACH(SELECT_SINGLE, (_if_proves_contact_1, _bound_ring_impact_1), place_e)
+                        EACH(SELECT_SINGLE, (_if_proves_contact_1, _bound_ring_impact_1), pace_n)
+                        EACH(SELECT_SINGLE, (_if_proves_contact_1, _bound_ring_impact_1), pace_s)
+                        EACH(SELECT_SINGLE, (_if_proves_contact_1, _bound_ring_impact_1), pace_e)
+                        EACH(SELECT_SINGLE, (_if_proves_contact_1, _bound_ring_impact_1), turn_n)
+                        EACH(SELECT_SINGLE, (_if_proves_contact_1, _bound_ring_impact_1), turn_z)
+                        EACH(SELECT_SINGLE, (_if_proves_contact_1, _bound_ring_impact_1), position_bound)
+                        EACH(SELECT_SINGLE, (_if_proves_contact_1, _bound_ring_impact_1), velocity_bound)
+                        EACH(SELECT_SINGLE, (_if_proves_contact_1, _bound_ring_impact_1), spin_bound)
+                        frame_nx = singles_select(singles_of(_if_proves_contact_1), _bound_ring_impact_1.left_nx, frame_nx);
+                        frame_ny = singles_select(singles_of(_if_proves_contact_1), _bound_ring_impact_1.left_ny, frame_ny);
+                        frame_nz = singles_select(singles_of(_if_proves_contact_1), _bound_ring_impact_1.left_nz, frame_nz);
+                        EACH(SELECT_SINGLE, (_if_proves_contact_1, _bound_ring_impact_1), left_ex)
+                        EACH(SELECT_SINGLE, (_if_proves_contact_1, _bound_ring_impact_1), left_ey)
+                        EACH(SELECT_SINGLE, (_if_proves_contact_1, _bound_ring_impact_1), left_bend_s)
+                        EACH(SELECT_SINGLE, (_if_proves_contact_1, _bound_ring_impact_1), left_bend_e)
                         S proved_delay = _bound_ring_impact_1.delay;
                         CALL(court_clock_bound_sum, _clock_bound_sum_2)(proved_delay, clock_bound);
-                        EACH(SELECT_SINGLE, (_if_proving_1, _clock_bound_sum_2), clock_bound)
+                        EACH(SELECT_SINGLE, (_if_proves_contact_1, _clock_bound_sum_2), clock_bound)
                     }
                     CALL(court_ring_impact_undecided, _ring_impact_undecided_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167));
                     EACH(GET_MASK, _ring_impact_undecided_1, undecided)
@@ -5660,8 +5665,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 const M _if_touches_1 = lanes_both(_if_meeting_1, touches);
                 {
 #if BOUNDED
-                    CALL(court_doubt, _doubt_1)(vx, vy, vz, nx, ny, nz, lanes_wide(position_bound), lanes_wide(velocity_bound), lanes_wide(spin_bound), estimated, FIXED(170));
-                    EACH(SELECT, (_if_touches_1, _doubt_1), estimated)
+                    CALL(court_estimated_after_contact, _estimated_after_contact_1)(vx, vy, vz, nx, ny, nz, lanes_wide(position_bound), lanes_wide(velocity_bound), lanes_wide(spin_bound), estimated, FIXED(170));
+                    EACH(SELECT, (_if_touches_1, _estimated_after_contact_1), estimated)
                 }
                 const M _if_touches_2 = lanes_both(_if_meeting_1, touches);
                 {

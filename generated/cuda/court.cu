@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation 0ede778297a8c774,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation 409c6c16e4d3ba18,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -247,11 +247,11 @@ static __device__ __forceinline__ kernel_bound_time_out kernel_bound_time(float 
 
 /* Whether the bounds of a shot are estimated from a contact on.
    comparison. 19 operations: 2 additions, 6 multiplications, 5 comparisons, 2 conjunctions, 2 disjunctions, 1 complement, 1 selection. */
-struct kernel_doubt_out {
+struct kernel_estimated_after_contact_out {
     double estimated;
 };
 
-static __device__ __forceinline__ kernel_doubt_out kernel_doubt(double vx, double vy, double vz, double nx, double ny, double nz, double position_bound, double velocity_bound, double spin_bound, double estimated, double p_ball_radius, double p_gravity)
+static __device__ __forceinline__ kernel_estimated_after_contact_out kernel_estimated_after_contact(double vx, double vy, double vz, double nx, double ny, double nz, double position_bound, double velocity_bound, double spin_bound, double estimated, double p_ball_radius, double p_gravity)
 {
     const double _s0 = ((nx * vx) + (ny * vy)) + (nz * vz);
     const bool _s1 = ((0.0 < estimated) || (!(((position_bound <= 1.1641532182693481e-10) && (velocity_bound < (INFINITE))) && (spin_bound < (INFINITE))))) || ((_s0 * _s0) < (1.52587890625e-05 * (p_ball_radius * p_gravity)));
@@ -260,11 +260,11 @@ static __device__ __forceinline__ kernel_doubt_out kernel_doubt(double vx, doubl
 
 /* Whether a contact, and an end, of a shot is met that is not estimated.
    Table 1. 3 operations: 1 comparison, 2 conjunctions. */
-struct kernel_proving_out {
-    bool proving, proves_end;
+struct kernel_proves_out {
+    bool proves_contact, proves_end;
 };
 
-static __device__ __forceinline__ kernel_proving_out kernel_proving(bool ends, bool touches, double estimated)
+static __device__ __forceinline__ kernel_proves_out kernel_proves(bool ends, bool touches, double estimated)
 {
     const bool _s0 = estimated <= 0.0;
     return {touches && _s0, ends && _s0};
@@ -6069,7 +6069,7 @@ static __device__ __forceinline__ void court_loop(
         later_near = false, begins = false, leaves = false, here = false, circling = false,
         loses = false, beside = false, over = false, endless = false, moves = false, ends = false,
         touches = false, edge = false, undecided = false, hopped = false, meeting = false,
-        slow = false, again = false, proving = false, proves_end = false, struck_0 = false,
+        slow = false, again = false, proves_contact = false, proves_end = false, struck_0 = false,
         put_on = false, nearly = false, settles = false, lodges = false, slides = false,
         unpressed = false, ends_by_time_limit = false, reports = false;
     x = _states[9 * _shot + 0];
@@ -8393,8 +8393,8 @@ static __device__ __forceinline__ void court_loop(
                     root_level = _o470.root_level;
                     normal_rounding = _o470.normal_rounding;
                 }
-                const kernel_proving_out _o471 = kernel_proving(ends, touches, estimated);
-                proving = _o471.proving;
+                const kernel_proves_out _o471 = kernel_proves(ends, touches, estimated);
+                proves_contact = _o471.proves_contact;
                 proves_end = _o471.proves_end;
                 if (proves_end) {
                     const kernel_bound_end_out _o472 = kernel_bound_end(when, x, y, z, vx, vy, vz, clock, position_bound, velocity_bound, spin_bound, root_offset, normal_velocity, p_gravity);
@@ -8453,7 +8453,7 @@ static __device__ __forceinline__ void court_loop(
             }
             if (struck_0) {
                 if (BOUNDS) {
-                    if (proving) {
+                    if (proves_contact) {
                         const kernel_ring_impact_slip_out _o484 = kernel_ring_impact_slip(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, its_0_ring_impact, its_1_ring_impact, p_inertia, p_tangential_restitution, p_restitution_speed);
                         slip_share = _o484.slip_share;
                         slip_margin = _o484.slip_margin;
@@ -8506,7 +8506,7 @@ static __device__ __forceinline__ void court_loop(
             }
             if (BOUNDS) {
                 if (touches) {
-                    const kernel_doubt_out _o491 = kernel_doubt(vx, vy, vz, nx, ny, nz, position_bound, velocity_bound, spin_bound, estimated, p_ball_radius, p_gravity);
+                    const kernel_estimated_after_contact_out _o491 = kernel_estimated_after_contact(vx, vy, vz, nx, ny, nz, position_bound, velocity_bound, spin_bound, estimated, p_ball_radius, p_gravity);
                     estimated = _o491.estimated;
                 }
             }

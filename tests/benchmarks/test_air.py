@@ -62,7 +62,7 @@ def test_grazes_are_proved_and_hoopgen_is_never_wrong_without_saying_so() -> Non
     assert known.sum() >= 10
     own = air.tally(found, air._by_hoopgen, known)
     assert (own.missed, own.invented) == (0, 0)
-    assert own.doubt < known.sum()
+    assert own.uncertain < known.sum()
     blind = air.tally(found, lambda states: (np.full(6, -1), np.zeros(6), np.zeros(6, bool)), known)
     assert blind.missed == known[0].sum()
 

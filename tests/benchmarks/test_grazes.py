@@ -43,7 +43,7 @@ def test_the_least_distance_is_the_gap(kind: Kind, part: float) -> None:
     made = some(kind, 0)
     moved = PAPER[kind.parameter] + kind.towards * part * made.gap
     proved = grazes.judged(kind, made, {**PAPER, kind.parameter: moved})
-    assert not proved.doubt.any()
+    assert not proved.uncertain.any()
     assert (proved.touches == ((made.gap < 0) == (part < 1))).all()
 
 
@@ -76,16 +76,16 @@ def test_hoopgen_misses_no_graze_and_invents_none() -> None:
     assert all(t.undecided == 0 and t.touching > 15 and t.passing > 15 for t in found)
     # Not by calling everything uncertain: down to 1e-13 m doubles decide nearly all.
     nearer = [t for t in found if t.band == 0]
-    assert sum(t.doubt for t in nearer) < 0.02 * sum(t.touching + t.passing for t in nearer)
+    assert sum(t.uncertain for t in nearer) < 0.02 * sum(t.touching + t.passing for t in nearer)
 
 
-def test_misses_inventions_and_doubts_are_counted() -> None:
-    def says(touches: bool, doubt: bool) -> grazes.Look:
-        return lambda kind, made: Seen(np.full(len(made), touches), np.full(len(made), doubt))
+def test_misses_inventions_and_flags_are_counted() -> None:
+    def says(touches: bool, uncertain: bool) -> grazes.Look:
+        return lambda kind, made: Seen(np.full(len(made), touches), np.full(len(made), uncertain))
 
     field = {"blind": says(False, False), "touchy": says(True, False), "shy": says(True, True)}
     for tally in grazes.tallies(30, field):
-        wrong = (tally.missed, tally.invented, tally.doubt, tally.wrong_in_doubt)
+        wrong = (tally.missed, tally.invented, tally.uncertain, tally.wrong_uncertain)
         number = tally.touching + tally.passing
         assert number
         assert (
@@ -103,7 +103,7 @@ def test_what_the_judge_cannot_decide_is_nobodys_mistake(monkeypatch: pytest.Mon
     monkeypatch.setattr(
         grazes,
         "judged",
-        lambda kind, made: replace(judged(kind, made), doubt=np.ones(len(made), np.bool_)),
+        lambda kind, made: replace(judged(kind, made), uncertain=np.ones(len(made), np.bool_)),
     )
     blind = {"blind": lambda _, made: Seen(*np.zeros((2, len(made)), np.bool_))}
     found = grazes.tallies(20, blind)

@@ -55,11 +55,11 @@ PLAIN = """{
     V z = _f_1.w;
 }"""
 BOUND = """{
-    EACH(LOAD, , doubt)
+    EACH(LOAD, , uncertain)
     EACH(LOAD, , x)
     EACH(LOAD_MASK, , sure)
     EACH(LOAD, , y)
-    CALL(f, _f_1)(x, error, doubt);
+    CALL(f, _f_1)(x, error, uncertain);
     CALL(g, _g_1)(x, error);
 
     EACH(GET, _f_1, error)
@@ -69,8 +69,8 @@ BOUND = """{
 MERGED = """{
     EACH(LOAD, , x, y)
     EACH(LOAD_MASK, , sure)
-    BOUNDS(EACH(LOAD, , doubt))
-    CALL(f, _f_1)(x, OR_ZERO(error), OR_INFINITE(doubt));
+    BOUNDS(EACH(LOAD, , uncertain))
+    CALL(f, _f_1)(x, OR_ZERO(error), OR_INFINITE(uncertain));
 #if BOUNDED
     CALL(g, _g_1)(x, error);
 #else

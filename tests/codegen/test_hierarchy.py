@@ -153,7 +153,7 @@ BODIES = {"b": "sphere", "d": "cylinder", "f": "box", "j": "torus"}
 @pytest.mark.slow
 @pytest.mark.parametrize("body", BODIES, ids=BODIES.values())
 def test_a_ball_out_of_a_groups_box_is_in_none_of_its_bodies(body: str) -> None:
-    """Nor is that in doubt: what is asked of a body there changes nothing."""
+    """Nor is that undecided: what is asked of a body there changes nothing."""
     place = kernels_of("mixed")
     rng = np.random.default_rng(6)
     count = trials(200_000)

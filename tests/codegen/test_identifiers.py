@@ -54,7 +54,7 @@ CONTACTS = 6
 _WORDS = """
     x vx wx nx t s0 s1 v m k o1 m1 p p_x x_0 x_1 x_ for double int if lambda none true def class
     where sqrt inf np numpy pool job lane out shot begun zero flying fresh from outcome claims turn
-    next end step last which when index time doubt delay late first body count count_0 rate level
+    next end step last which when index time flag delay late first body count count_0 rate level
     columns shots rows rows1 done main struct y0 j1 gamma signgam nan infinity let var function
     made missed state surfaces parameters body_x widest sources width lanes_select lanes vector mask
     flight impact top ground ring target own carry finite rate_margin annotations any field

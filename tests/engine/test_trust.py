@@ -352,7 +352,7 @@ def test_one_wrong_bit_of_one_field_is_found_and_not_stamped(library: Path, fiel
 
 
 @pytest.mark.slow
-def test_the_shots_compared_show_every_outcome_surface_and_doubt() -> None:
+def test_the_shots_compared_show_every_outcome_surface_and_flag() -> None:
     engine, seen = Counted(), []
     if HOOP.library is None:
         pytest.skip("the C engine was not built")

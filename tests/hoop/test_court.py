@@ -372,12 +372,12 @@ def test_a_shot_that_goes_on_from_a_record_ends_as_it_did(backend: Any) -> None:
     low = rows["after"][:, 2] < 0
     assert low.sum() > 5
     again = flown(rows["after"], leaving=rows["surface"], backend=backend, max_contacts=30)
-    # Errors begin anew, so that a doubt may be gone; the path is the same.
+    # Errors begin anew, so that a flag may be gone; the path is the same.
     assert np.array_equal(again.outcome, shots.outcome[rows["shot"]])
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
-def test_a_passing_that_rounding_could_turn_is_in_doubt(backend: Any) -> None:
+def test_a_passing_that_rounding_could_turn_is_undecided(backend: Any) -> None:
     """A ball whose apex is in the disc's plane exactly; the judge does not decide it either."""
     # v²/2g = 1/2 exactly, with g = 16 and v = 4.
     state, light = at((0, 0, -0.5), (0, 0, 4)), {"gravity": 16.0}

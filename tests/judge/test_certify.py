@@ -582,15 +582,15 @@ def test_doubles_are_no_further_from_the_truth_than_they_say() -> None:
 @pytest.mark.parametrize("record", [False, True])
 def test_settled_shots_are_as_proved(record: bool) -> None:
     shots, states, parameters = flagged(record)
-    doubtful = np.flatnonzero(shots.uncertain)
-    assert 10 in doubtful
+    uncertain_rows = np.flatnonzero(shots.uncertain)
+    assert 10 in uncertain_rows
     fields = {name: getattr(shots, name).copy() for name in GENEROUS}
     if record:
         fields["events"] = shots.events
     settled = settle(fields, states, parameters, scene=hoopgen.HOOP)
     certificate = certify(states, parameters, record=True)
-    np.testing.assert_array_equal(settled, [k for k in doubtful if certificate[k].decided])
-    assert fields["uncertain"].sum() == len(doubtful) - len(settled)
+    np.testing.assert_array_equal(settled, [k for k in uncertain_rows if certificate[k].decided])
+    assert fields["uncertain"].sum() == len(uncertain_rows) - len(settled)
     assert len(settled)
     for name in ("outcome", "contacts", "counts", "first", "time", "state"):
         np.testing.assert_array_equal(fields[name][settled], getattr(certificate, name)[settled])

@@ -90,6 +90,7 @@ in_windows = partial(in_text, windows, "windows")
 in_lost = partial(in_text, windows, "lost")
 in_box = partial(in_text, BoxRootFinder)
 in_frames = partial(in_text, surface_frames, "_of_box")
+in_newton = partial(in_text, surface_frames, "_with_newton_residue")
 in_rising = partial(in_text, premises, "_rises")
 
 FAULTS = (
@@ -333,12 +334,12 @@ FAULTS = (
     ),
     Planted(
         "Newton's method leaves no roundings",
-        in_frames("maximum(sp.Rational(9, 8) * noise, residue)", "residue"),
+        in_newton("maximum(sp.Rational(9, 8) * rounded, residue)", "residue"),
         root_counts,
     ),
     Planted(
         "the time of a root has no rounding",
-        in_frames("barrier(absolute(normal_velocity) * t)", "0 * t"),
+        in_newton("barrier(absolute(normal_velocity) * t)", "0 * t"),
         root_counts,
     ),
     Planted(
@@ -353,8 +354,8 @@ FAULTS = (
     ),
     Planted(
         "a return is found with F/t alone",
-        in_frames(
-            "offset, level = maximum(again, barrier(once + BOUNDS[0])), ", "offset, level = again, "
+        in_text(
+            surface_frames, "_of_either_form", "maximum(again, barrier(once + level)), ", "again, "
         ),
         roots,
     ),
@@ -365,7 +366,7 @@ FAULTS = (
     ),
     Planted(
         "a return comes to the surface",
-        in_frames("kept = barrier(BOUNDS[0] + again)", "kept = again"),
+        in_text(surface_frames, "_of_either_form", "barrier(level + again)", "again"),
         growth,
     ),
     Planted(

@@ -207,9 +207,9 @@ FAULTS = (
         "Newton's method leaves no residue",
         in_text(
             surface_frames,
-            "_of_ring",
-            "maximum(sp.Rational(9, 8) * noise, residue)",
-            "sp.Rational(9, 8) * noise",
+            "_with_newton_residue",
+            "maximum(sp.Rational(9, 8) * rounded, residue)",
+            "sp.Rational(9, 8) * rounded",
         ),
         of_roundings,
     ),
@@ -217,8 +217,8 @@ FAULTS = (
         "the ring's condition has no roundings",
         in_text(
             surface_frames,
-            "_of_ring",
-            "noise + maximum(sp.Rational(9, 8) * noise, residue)",
+            "_with_newton_residue",
+            "rounded + maximum(sp.Rational(9, 8) * rounded, residue)",
             "residue",
         ),
         of_roundings,

@@ -180,16 +180,16 @@ branch_derivative = OfFormulas(
     test_friction.test_errors_are_carried_by_the_derivative_of_the_branch_that_is_taken
 )
 passings = OfKernels(
-    test_passage.test_the_kernel_finds_what_more_digits_find_or_is_in_doubt,
+    test_passage.test_the_kernel_finds_what_more_digits_find_or_is_undecided,
     named=((test_passage.__name__, "kernels"),),
 )
 passings_with_errors = OfKernels(
-    test_passage.test_what_errors_of_a_state_turn_is_in_doubt,
+    test_passage.test_what_errors_of_a_state_turn_is_undecided,
     ((1e-9,), (1e-6,)),
     named=((test_passage.__name__, "kernels"),),
 )
 passings_at_the_edge = OfKernels(
-    test_passage_edge.test_a_passing_near_the_edge_is_in_doubt_if_errors_turn_it,
+    test_passage_edge.test_a_passing_near_the_edge_is_undecided_if_errors_turn_it,
     ((1e-12,), (1e-8,), (1e-5,)),
     named=((test_passage.__name__, "kernels"),),
 )

@@ -311,7 +311,7 @@ FAULTS = (
         starts["a_ball_rolls_at_once_whatever_the_last_digits_of_its_place"],
     ),
     Planted(
-        "a ball that starts with a speed off a body is in doubt about its weight on it",
+        "a ball that starts with a speed off a body is undecided about its weight on it",
         in_text(contact_phase, "_results", "Or(nearly, Not(starts))", "Or(nearly, Not(false))"),
         starts["a_ball_that_starts_from_a_wall_is_certain"],
     ),

@@ -350,7 +350,7 @@ FAULTS = (
     Planted("a slip may change by half of it", with_constant("LARGEST_CHANGE", 2), conditions),
     Planted(
         "margins have no roundings",
-        in_rest("ROOM * moved + blurred - absolute", "ROOM * moved - absolute"),
+        in_rest("ROOM * turned + blurred - absolute", "ROOM * turned - absolute"),
         blurred,
     ),
     Planted(

@@ -289,7 +289,7 @@ FAULTS = (
         in_search("_sooner = all_of(arrives, Less(time, when))", "_sooner = arrives"),
         in_c=True,
     ),
-    Fault("ties are not in doubt", in_search("all_of(arrives, _tie)", "false")),
+    Fault("ties are decided", in_search("all_of(arrives, _tie)", "false")),
     Fault(
         "an arrival before the flight counts",
         in_search("all_of(_meets, AtMost(0, time), Less", "all_of(_meets, Less"),
@@ -489,7 +489,7 @@ FAULTS = (
     ),
     Fault(
         "a root is on the surface",
-        in_text(surface_frames, "_of_ring", "again, once = (", "again, once = (\n            0 *"),
+        in_text(surface_frames, "_with_newton_residue", "        barrier(", "        0 * barrier("),
     ),
     Fault(
         "the ring's margins are zero",

@@ -45,30 +45,30 @@ beside = OfKernels(
     contact.test_beside_a_body_that_is_nearer_than_the_bounces_go_a_ball_is_undecided,
 )
 pressing = OfKernels(
-    contact.test_a_pressing_force_is_in_doubt_within_the_error_of_the_velocity,
+    contact.test_a_pressing_force_is_undecided_within_the_error_of_the_velocity,
 )
 last_bounce = OfKernels(
-    contact.test_the_last_bounce_is_in_doubt_within_the_error_of_the_velocity,
+    contact.test_the_last_bounce_is_undecided_within_the_error_of_the_velocity,
 )
 inelastic = OfKernels(
-    contact.test_without_restitution_no_error_of_the_velocity_puts_the_last_bounce_in_doubt,
+    contact.test_without_restitution_no_error_of_the_velocity_leaves_the_last_bounce_undecided,
 )
 slip = OfKernels(
-    contact.test_slip_that_the_bounces_may_stop_is_in_doubt_within_the_error_of_the_velocity,
+    contact.test_slip_that_the_bounces_may_stop_is_undecided_within_the_error_of_the_velocity,
 )
 friction = OfKernels(
-    contact.test_whether_friction_suffices_is_in_doubt_within_the_error_of_the_velocity,
+    contact.test_whether_friction_suffices_is_undecided_within_the_error_of_the_velocity,
 )
 parting = OfKernels(
     contact.test_a_ball_that_starts_where_its_force_vanishes_leaves_if_the_gap_opens,
     ((1e-12, 0.5), (1e-12, 1e18)),
 )
 force = OfKernels(
-    contact.test_a_force_near_zero_is_in_doubt_within_the_errors_of_the_state, EACH_ERROR
+    contact.test_a_force_near_zero_is_undecided_within_the_errors_of_the_state, EACH_ERROR
 )
-grazing = OfKernels(contact.test_a_surface_that_a_rolling_ball_may_graze_is_in_doubt, EACH_KERNEL)
+grazing = OfKernels(contact.test_a_surface_that_a_rolling_ball_may_graze_is_undecided, EACH_KERNEL)
 delay = OfKernels(contact.test_the_delay_of_a_meeting_holds_the_error_of_the_place, EACH_KERNEL)
-at_once = OfKernels(contact.test_two_events_of_a_rolling_ball_at_once_are_in_doubt, EACH_KERNEL)
+at_once = OfKernels(contact.test_two_events_of_a_rolling_ball_at_once_are_undecided, EACH_KERNEL)
 
 plate_filter = OfFormulas(
     filters.test_a_ball_that_errors_bring_to_a_plate_is_not_apart_from_it,
@@ -244,7 +244,7 @@ FAULTS = (
         parting,
     ),
     Planted(
-        "a ball that starts where its contact ends is in doubt about the force on it",
+        "a ball that starts where its contact ends is undecided about the force on it",
         in_settling(
             "                Not(parts),\n            ),\n        },", "            ),\n        },"
         ),
@@ -267,7 +267,7 @@ FAULTS = (
         force,
     ),
     Planted(
-        "a force that passes zero quickly is in doubt",
+        "a force that passes zero quickly is undecided",
         in_text(
             events,
             "_leaving_force",

@@ -200,8 +200,8 @@ behind_cone = OfEngine(
     scene=test_behind_cones.FLAT_CONE,
 )
 switch = OfEngine(
-    test_friction_switch.test_the_switch_between_grip_and_slip_is_in_doubt_within_its_error,
-    cases(test_friction_switch.test_the_switch_between_grip_and_slip_is_in_doubt_within_its_error),
+    test_friction_switch.test_the_switch_between_grip_and_slip_is_undecided_within_its_error,
+    cases(test_friction_switch.test_the_switch_between_grip_and_slip_is_undecided_within_its_error),
     scene=FLOOR,
 )
 
@@ -607,12 +607,12 @@ FAULTS = (
     ),
     # The branch of friction.
     Planted(
-        "whether a contact slips is never in doubt",
+        "whether a contact slips is never in uncertain",
         in_text(event_loop, "_law", 'if "undecided" in surface.law', 'if "none" in surface.law'),
         switch,
     ),
     Planted(
-        "the doubt of slip and grip is a thousandth",
+        "the uncertain of slip and grip is a thousandth",
         in_text(
             friction.CoulombFriction,
             "undecided",
@@ -622,7 +622,7 @@ FAULTS = (
         switch,
     ),
     Planted(
-        "whether a contact slips is always in doubt",
+        "whether a contact slips is always in uncertain",
         in_text(
             friction.CoulombFriction,
             "undecided",

@@ -54,12 +54,12 @@ FAULTS = (
     ),
     Planted(
         "bounds of any size are used",
-        in_text(provisional, "doubt", "Not(known), ", ""),
+        in_text(provisional, "estimated_after_contact", "Not(known), ", ""),
         rolls,
     ),
     Planted(
         "hardly any bound is small enough",
-        in_text(provisional, "doubt", "AtMost(place, ", "AtMost(2**17 * place, "),
+        in_text(provisional, "estimated_after_contact", "AtMost(place, ", "AtMost(2**17 * place, "),
         rolls,
     ),
     Planted(

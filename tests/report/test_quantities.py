@@ -1,4 +1,4 @@
-"""Numbers in words: one form of percent, counts that agree, doubts that are explained."""
+"""Numbers in words: one form of percent, counts that agree, flags that are explained."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def test_percents_are_written_in_one_way() -> None:
 
 
 def swirl() -> Any:
-    """A shot that is capped, with so many errors gathered that it is in doubt; and a good one."""
+    """A shot that is capped, with so many errors gathered that it is undecided; and a good one."""
     velocity = [-0.8388886803278828, 2.1344934896526224, 3.8620727516260205]
     state = [0.22860000000000003, -0.94488, -0.6096, *velocity, 0, 0, 0]
     return np.array([state, hoopgen.release(7.17, 0.9, height=2.13, distance=4.19)])

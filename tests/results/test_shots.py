@@ -181,8 +181,8 @@ def test_shots_count_what_became_of_them() -> None:
     assert "short" not in repr(shots)
     assert shots.uncertain.any()
     capped = shots.uncertain & (shots.outcome == hoopgen.Outcome.CAPPED)
-    doubt = f"{shots.uncertain.sum():,} uncertain ({capped.sum():,} of them capped)"
-    assert repr(shots).endswith(f"; {doubt}; PAPER (the article's))")
+    uncertain = f"{shots.uncertain.sum():,} uncertain ({capped.sum():,} of them capped)"
+    assert repr(shots).endswith(f"; {uncertain}; PAPER (the article's))")
 
 
 def test_made_is_true_for_a_made_shot_though_its_code_is_not() -> None:

@@ -182,7 +182,7 @@ def brittle(tmp_path_factory: pytest.TempPathFactory) -> Callable[[NDArray[np.fl
 
 
 @pytest.mark.slow
-def test_a_law_can_be_in_doubt(brittle: Callable[[NDArray[np.float64]], ResultArrays]) -> None:
+def test_a_law_can_be_undecided(brittle: Callable[[NDArray[np.float64]], ResultArrays]) -> None:
     """A ball that arrives with just the speed that decides is uncertain, others are not."""
     states = np.zeros((3, 9))
     states[:, 2] = 0.05 - 0.25 + 1e-9  # just above the step

@@ -259,7 +259,7 @@ def test_of_ends_on_one_plane_the_first_counts(engines: Mapping[str, Engines]) -
 
 @pytest.mark.slow
 def test_the_edge_of_an_end_within_another_is_certain(tmp_path: Path) -> None:
-    """A ball that an earlier end has surely taken is not in doubt."""
+    """A ball that an earlier end has surely taken is not uncertain."""
     own = symbols(CAPS)
     large, small = (sp.sqrt(x**2 + y**2) - k * own["goal"] for k in (2, 1))
     ends = (
@@ -326,8 +326,8 @@ def test_a_contact_at_the_time_limit_is_uncertain(engines: Mapping[str, Engines]
     release = shot((0.4, 0, 0.5))
     times = events(own.run(release, ENDLESS), 0)["time"]
     for time in times[:3]:
-        for limit, doubt in ((time, 1), (np.nextafter(time, 9), 1), (time * (1 + 1e-9), 0)):
-            assert own.run(release, float(limit)).uncertain.tolist() == [doubt]
+        for limit, flag in ((time, 1), (np.nextafter(time, 9), 1), (time * (1 + 1e-9), 0)):
+            assert own.run(release, float(limit)).uncertain.tolist() == [flag]
         assert own.run(release, time * (1 - 1e-9)).uncertain.tolist() == [0]
 
 

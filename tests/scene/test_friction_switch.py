@@ -1,4 +1,4 @@
-"""Grip or slip on a floor: which of both is decided, and in doubt where rounding could turn it."""
+"""Grip or slip on a floor: which of both is decided, unless rounding could turn it."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def floor(tmp_path_factory: pytest.TempPathFactory) -> Engine:
     ("apart", "unsure"),
     [(0.0, True), (1e-15, True), (1e-11, False), (-1e-11, False), (-0.4, False), (0.4, False)],
 )
-def test_the_switch_between_grip_and_slip_is_in_doubt_within_its_error(
+def test_the_switch_between_grip_and_slip_is_undecided_within_its_error(
     floor: Engine, apart: float, unsure: bool
 ) -> None:
     """Calculated by hand: gripping takes 2/5 of the slip, slipping mu (1 + e) times 4 m/s."""

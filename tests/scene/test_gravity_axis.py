@@ -119,7 +119,7 @@ def test_results_are_those_of_the_judge(made: Callable[[Scene], Made], name: str
     assert proofs.decided.all()
     sure = ~out.arrays["uncertain"]
     # Of a torus, an octic, the general search can allow for errors in which the rate at which the
-    # ball leaves is lost: it then makes no headway, and leaves the shot in doubt.
+    # ball leaves is lost: it then makes no headway, and leaves the shot uncertain.
     unsure = ~sure[proofs.outcome != Outcome.CAPPED]
     assert np.sum(unsure) < exceptions(0.1 if name == "wheel" else 0.001, len(unsure))
     found = sequences(out)

@@ -1,4 +1,4 @@
-"""Balls that fall past a body where no end is below: what cannot be met again is not in doubt.
+"""Balls that fall past a body where no end is below: what they cannot meet again is decided.
 
 The surface of a cone, and that of a cylinder that leans, go on for ever in the search, and a ball
 falls into most of them again, aeons later. The bodies here end, and so does the search.

@@ -146,7 +146,7 @@ def test_beyond_an_end_plane_a_roll_goes_on(shelf: Engine) -> None:
 def test_behind_an_end_plane_a_ball_leaves_the_edge_once(
     shelf: Engine, start: tuple[float, ...], uncertain: bool
 ) -> None:
-    """The ball departs behind the plane, or in doubt within it, and falls."""
+    """The ball departs behind the plane, or undecided within it, and falls."""
     shots = simulated(shelf, rolling(*start), DEAD)
     assert shelf.outcomes(int(shots.outcome[0])).name == "DOWN"
     assert [kind for kind, _ in kinds(shots)] == [Event.IMPACT, Event.ROLL, Event.LEAVE, Event.END]

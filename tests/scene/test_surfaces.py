@@ -135,7 +135,7 @@ def test_both_engines_give_the_same_bits(case: Case, folder: Path) -> None:
 def test_no_shot_is_wrong_without_a_flag(case: Case, folder: Path) -> None:
     """1,000 shots against proofs: events in order, outcome, and what is claimed of time and state.
 
-    Every body is met, and hardly a shot is in doubt but those whose bounces accumulate.
+    Every body is met, and hardly a shot is uncertain but those whose bounces accumulate.
     """
     states = case.aimed(trials(1000), seed=2)
     out, proofs = flown(case, folder, states), proved(case, states)
@@ -338,7 +338,7 @@ def test_the_first_touch_of_a_box_is_continuous_from_part_to_part(crates: Path) 
     """Balls side by side, dropped over a face, its edges and a corner: times have no step.
 
     Neighbours are 2e-5 m apart; a time changes with the place by less than the drop's length over
-    its speed, but where the ball passes beside the crate. A seam itself is no doubt.
+    its speed, but where the ball passes beside the crate. A seam itself leaves nothing undecided.
     """
     across = np.arange(0.2, 0.36, 2e-5)
     for offset in ((0.0, 0.0), (0.25, 0.0), (0.25, 1e-3)):

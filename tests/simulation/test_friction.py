@@ -247,7 +247,7 @@ def test_an_ideal_ball_keeps_its_energy_from_release_to_end(engines: Engines) ->
     np.testing.assert_allclose(final, first, rtol=1e-12, atol=0)
 
 
-# -- In doubt
+# -- In uncertain
 
 
 def dropped(slip: float, height: float = 1.0) -> Floats:
@@ -262,15 +262,15 @@ TIE |= {"ball_radius": 0.125, "wire_radius": 0.0078125}
 """Parameters that just stop a ball of `dropped(5)`: 2/5 of 5 m/s is 1/4 of 2 times 4 m/s."""
 
 
-def test_the_switch_between_grip_and_slip_is_in_doubt_within_its_error(engines: Engines) -> None:
-    for apart, doubtful in ((0.0, True), (1e-15, True), (1e-11, False), (-1e-11, False)):
+def test_the_switch_between_grip_and_slip_is_undecided_within_its_error(engines: Engines) -> None:
+    for apart, uncertain_rows in ((0.0, True), (1e-15, True), (1e-11, False), (-1e-11, False)):
         states = dropped(5.0 * (1 + apart))
         out = engines.c(states, TIE)
         log = contacts(out)[:1]
         assert log["surface"].tolist() == [BRIDGE]
-        assert bool(out.arrays["uncertain"][0]) is doubtful, apart
+        assert bool(out.arrays["uncertain"][0]) is uncertain_rows, apart
         proof = prove(ROUGH, states, list(TIE.values()), None, MOST, max_bits=512)
-        if not doubtful:
+        if not uncertain_rows:
             assert proof.decided.all()
             assert log["after"][0, 4] == pytest.approx(3.0, abs=1e-10)
 
@@ -282,7 +282,7 @@ def test_the_judge_leaves_a_tie_between_grip_and_slip_undecided() -> None:
 
 
 @pytest.mark.parametrize("friction", [0.0, np.inf])
-def test_without_friction_or_with_grip_there_is_no_switch_to_doubt(
+def test_without_friction_or_with_grip_there_is_no_switch_to_flag(
     engines: Engines, friction: float
 ) -> None:
     """A ball that falls straight down has no slip, and no normal speed where it starts to lie."""

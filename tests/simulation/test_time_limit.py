@@ -179,7 +179,7 @@ def test_without_a_limit_all_that_is_done_for_it_is_to_ask() -> None:
     assert {"expiry", "expired", "ends_by_time_limit", "carry_time"} < loop.called
 
 
-def test_what_errors_grow_to_after_a_ball_has_exit_time_is_no_doubt() -> None:
+def test_what_errors_grow_to_after_a_ball_has_exit_time_is_no_uncertainty() -> None:
     """A shot from below the end plane falls for ever: no horizon bounds what its errors grow to."""
     (around,) = (family for family in FAMILIES if family.key == "around")
     states, _ = around.make(4_000)

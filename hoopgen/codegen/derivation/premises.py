@@ -243,8 +243,8 @@ PREMISES: dict[str, Premise] = {
         LEMMA,
         "proved bounds until a ball may roll",
         _kernels(
-            "law.bound common.bound_end common.bound_time common.clock_bound_sum common.proving "
-            "common.doubt common.estimates"
+            "law.bound common.bound_end common.bound_time common.clock_bound_sum common.proves "
+            "common.estimated_after_contact common.estimates"
         ),
         proved=True,
     ),

@@ -39,8 +39,8 @@ def describe_best_shots(dataset: xr.Dataset) -> str:
             f"and {100.0 * moved['probability']:.1f} points; the way of "
             f"{int(np.isnan(dataset['speed_change']).sum())} of {dataset.sizes['place']} changes."
         )
-    if doubt := undecided(dataset):
-        lines.append(doubt)
+    if note := undecided(dataset):
+        lines.append(note)
     return " ".join(lines)
 
 

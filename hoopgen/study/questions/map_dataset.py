@@ -56,7 +56,7 @@ def dataset(work: Sweep, numbers: Counts, level: float) -> xr.Dataset:
     ----------
     numbers
         Of its cells, (cells, columns): rows of a `Tally` or, without scatter, outcome, kind and
-        doubt.
+        uncertainty.
     """
     numbers = numbers.reshape(*work.shape, -1)
     if not work.model.scatters:

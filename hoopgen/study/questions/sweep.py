@@ -154,7 +154,7 @@ SINGLE = 3
 
 
 def _row(shots: Shots) -> NDArray[np.int64]:
-    """Return outcome, kind and doubt of each shot, (n, 3); the kind is 0 without a hoop."""
+    """Return outcome, kind and uncertainty of each shot, (n, 3); the kind is 0 without a hoop."""
     kind = np.zeros_like(shots.outcome)
     if shots.scene.has_hoop:
         kind = kinds(shots.outcome, shots.counts, shots.first)

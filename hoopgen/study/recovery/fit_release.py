@@ -304,9 +304,9 @@ class _Problem:
         frames = self.there, self.frames
         fall, misfits = self.bends.fall, (TOO_LARGE, TWO_FLIGHTS, IN_HAND)
         # In air a wrong backspin bends the first flight otherwise, too.
-        doubtful = np.array([one in misfits for one in reasons], np.bool_)
-        doubtful &= bool(self.engine.kernels.PIECES)
-        return with_backspin(found, tracks, frames, self.release, fall, self.spins, doubtful)
+        undecided = np.array([one in misfits for one in reasons], np.bool_)
+        undecided &= bool(self.engine.kernels.PIECES)
+        return with_backspin(found, tracks, frames, self.release, fall, self.spins, undecided)
 
     def _reasons(self, fitted: Flags, off: Floats, outliers: Flags, kept: Flags) -> tuple[str, ...]:
         """Return why each track is not credible, "" for one that is."""

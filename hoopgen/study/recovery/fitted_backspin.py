@@ -30,7 +30,7 @@ def with_backspin(
     release: Floats,
     fall: Floats,
     spins: Spins,
-    doubtful: Flags,
+    undecided: Flags,
 ) -> FittedReleases:
     """Return releases with fitted backspins.
 
@@ -48,21 +48,21 @@ def with_backspin(
         The acceleration of each ball at rest, (n, 3), m/s².
     spins
         What is known of the backspins.
-    doubtful
+    undecided
         Tracks that are not credible by the first flight, but may be with another backspin, (n,).
     """
     there, flight = frames
     backspin, precision = spins.backspin, spins.precision
     if backspin is None or precision is None:
         raise ValueError("backspin_sd: no backspin is to be fitted")
-    credible = found.credible | doubtful
+    credible = found.credible | undecided
     start = np.where(credible[:, None], found.states[:, :6], np.nan)
     times = np.where(there, tracks.times - np.nan_to_num(release)[:, None], 0.0)
     problem = Refinement(
         found.scene, found.parameters, times, tracks.positions, found.noise, backspin, precision
     )
     path = problem.fit(start, found.covariance, there, flight, fall)
-    reasons = _reasons(found, path, flight, precision, doubtful)
+    reasons = _reasons(found, path, flight, precision, undecided)
     good = credible & np.isfinite(path.covariance).all(axis=(1, 2))
     states, covariance = found.states.copy(), np.zeros((len(found), VARIED, VARIED))
     covariance[:, :6, :6] = found.covariance
@@ -91,7 +91,7 @@ def with_backspin(
 
 
 def _reasons(
-    found: FittedReleases, path: Refined, flight: Flags, precision: Floats, doubtful: Flags
+    found: FittedReleases, path: Refined, flight: Flags, precision: Floats, undecided: Flags
 ) -> tuple[str, ...]:
     """Return why each track is not credible, "" for one that is."""
     counts, outliers = path.frames.sum(axis=1), path.outliers.sum(axis=1)
@@ -107,7 +107,7 @@ def _reasons(
     large |= (after & path.outliers).sum(axis=1) > MAX_OUTLIERS * after.sum(axis=1)
     reasons = np.array(found.reason, dtype=object)
     unknown = ~np.isfinite(path.covariance).all(axis=(1, 2))
-    reasons[doubtful & ~large & path.settled & ~unknown] = ""
+    reasons[undecided & ~large & path.settled & ~unknown] = ""
     for reason, which in (
         (AFTER_CONTACT, large),
         (UNSETTLED_PATH, ~path.settled),

@@ -105,7 +105,7 @@ class Tally:
             cell.reshape(settings, -1)[:] += np.arange(settings)[:, None] * (rows * columns)
         counted = np.bincount(cell, minlength=settings * rows * columns)
         counted = counted.reshape(settings, rows, columns)
-        doubt = shots.uncertain.reshape(settings, -1)
+        uncertain = shots.uncertain.reshape(settings, -1)
         capped = (shots.outcome == scene.outcomes["CAPPED"]).reshape(settings, -1)
         counts = {
             result.tally: np.count_nonzero(
@@ -115,8 +115,8 @@ class Tally:
         }
         return cls(
             sum_by_kind(counted) if scene.has_hoop else counted,
-            np.count_nonzero(doubt, axis=1),
-            np.count_nonzero(doubt & capped, axis=1),
+            np.count_nonzero(uncertain, axis=1),
+            np.count_nonzero(uncertain & capped, axis=1),
             counts,
             scene,
         )

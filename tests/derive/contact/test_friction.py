@@ -388,7 +388,9 @@ def test_the_impact_followed_over_its_impulse_ends_where_the_law_says() -> None:
     assert min(np.sum(left < 1e-12), np.sum(left > 1e-3)) > rows / 5  # both kinds
 
 
-def test_the_article_has_no_doubt_and_neither_has_a_contact_that_always_grips() -> None:
+def test_the_article_leaves_nothing_undecided_and_neither_does_a_contact_that_always_grips() -> (
+    None
+):
     given = (normal, velocity, spin, BALL)
     assert NoSlip("rolling", restitution).undecided(*given) is None
     assert CoulombFriction("slipping", restitution).undecided(*given) is None

@@ -306,12 +306,12 @@ def _far() -> Scene:
 @pytest.mark.parametrize(
     "scene", [CHAMBER, POSTS, RINGS, CRATE, _far()], ids=lambda scene: str(scene.name)
 )
-def test_a_start_within_rounding_of_a_surface_is_in_doubt_or_right(scene: Scene) -> None:
+def test_a_start_within_rounding_of_a_surface_is_undecided_or_right(scene: Scene) -> None:
     """Starts a few roundings from each surface, either side, against the judge."""
     chance, own = random.Random(4), formulas(scene)
     verdict = validity.valid(scene, frozenset())
     defaults = {p.name: p.default for p in scene.parameters}
-    decided = doubted = 0
+    decided = undecided_starts = 0
     for surface in scene.surfaces * trials(24 // len(scene.surfaces)):
         with digits(40):
             place = {name: mpf(chance.uniform(-0.9, 0.9)) for name in "xyz"}
@@ -338,12 +338,12 @@ def test_a_start_within_rounding_of_a_surface_is_in_doubt_or_right(scene: Scene)
                 continue
             outcome = scene.outcomes["short"]
         decided += 1
-        doubted += bool(found["undecided_time"])
+        undecided_starts += bool(found["undecided_time"])
         right = (outcome != scene.outcomes["invalid"]) == bool(found["valid"])
         assert right or found["undecided_time"], (surface.name, start)
     assert decided > occurrences(10)
     if EFFORT >= 1:
-        assert 0 < doubted < decided
+        assert 0 < undecided_starts < decided
 
 
 def test_beyond_a_wall_that_is_all_around_is_body_and_behind_a_thin_one_is_not() -> None:

@@ -226,7 +226,7 @@ def refined(refine: Mapping[str, sp.Expr], values: Mapping[str, Any]) -> tuple[m
 @sometimes(80)
 @given(paths(), parts_of_one, st.floats(0, 0.49))
 def test_a_clearance_promises_one_simple_root_that_newton_s_method_reaches(
-    search: Search, path: Path, part: float, doubt: float
+    search: Search, path: Path, part: float, margin_share: float
 ) -> None:
     """This is the case F > 2 m: the margin is less than half of the gap.
 
@@ -240,7 +240,7 @@ def test_a_clearance_promises_one_simple_root_that_newton_s_method_reaches(
         for _ in range(3):
             t += exactly(search.advance["step"], values | {"t": t}) * mpf(1 - 2**-20)
         gap, rate, _ = slopes(search, values, t)
-        values["margin"] = gap * mpf(doubt)
+        values["margin"] = gap * mpf(margin_share)
         clearance = exactly(search.advance["clearance"], values | {"t": t})
         assume(clearance > 0 and rate < 0 < gap)
         first = gap / -rate

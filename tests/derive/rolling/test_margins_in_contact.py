@@ -85,13 +85,13 @@ def test_beside_a_body_that_is_nearer_than_the_bounces_go_a_ball_is_undecided() 
     assert not ended(nearest=1e-8)["undecided"]
 
 
-def test_a_pressing_force_is_in_doubt_within_the_error_of_the_velocity() -> None:
+def test_a_pressing_force_is_undecided_within_the_error_of_the_velocity() -> None:
     assert ended(press=1e-9, velocity_error=1e-6)["undecided"]
     assert ended(press=-1e-9, velocity_error=1e-6)["undecided"]
     assert not ended(press=1e-9)["undecided"]
 
 
-def test_the_last_bounce_is_in_doubt_within_the_error_of_the_velocity() -> None:
+def test_the_last_bounce_is_undecided_within_the_error_of_the_velocity() -> None:
     """The limit is left by bounce² (4 F / (loss N²) + 1 / 2 N)."""
     limit = math.sqrt(TOLERANCE / (4 / (LOSS * GRAVITY**2) + 1 / (2 * GRAVITY)))
     assert ended(bounce=limit * (1 - 1e-6))["settles"]
@@ -101,7 +101,7 @@ def test_the_last_bounce_is_in_doubt_within_the_error_of_the_velocity() -> None:
         assert not ended(bounce=bounce, velocity_error=1e-8 * limit)["undecided"]
 
 
-def test_without_restitution_no_error_of_the_velocity_puts_the_last_bounce_in_doubt() -> None:
+def test_without_restitution_no_error_of_the_velocity_leaves_the_last_bounce_undecided() -> None:
     """The speed off a surface across no axis is then a rounding, and not exactly zero."""
     for error in (1e-15, 1e-9):
         found = ended(
@@ -111,7 +111,7 @@ def test_without_restitution_no_error_of_the_velocity_puts_the_last_bounce_in_do
         assert not found["undecided"]
 
 
-def test_slip_that_the_bounces_may_stop_is_in_doubt_within_the_error_of_the_velocity() -> None:
+def test_slip_that_the_bounces_may_stop_is_undecided_within_the_error_of_the_velocity() -> None:
     """They take 2 (mu (1 + e) bounce + 2 F bounce / N) / (share (1 - e)), and a rounding."""
     bounce, quick = 1e-7, 0.1 + math.sqrt(GRAVITY * RADIUS)
     takes = FRICTION * (1 + RESTITUTION) * bounce + 2 * bounce / GRAVITY
@@ -123,7 +123,7 @@ def test_slip_that_the_bounces_may_stop_is_in_doubt_within_the_error_of_the_velo
         assert ended(bounce=bounce, slip=stopped * part, velocity_error=1e-4 * stopped)["undecided"]
 
 
-def test_whether_friction_suffices_is_in_doubt_within_the_error_of_the_velocity() -> None:
+def test_whether_friction_suffices_is_undecided_within_the_error_of_the_velocity() -> None:
     enough = FRICTION * (1 + RESTITUTION) * GRAVITY / 2
     for part in (1 - 1e-9, 1 + 1e-9):
         # No slip is left, and the last bounce is far from the limit.
@@ -184,7 +184,7 @@ PRESSED = {
 
 
 @pytest.mark.parametrize("name", ["position_error", "velocity_error"])
-def test_a_force_near_zero_is_in_doubt_within_the_errors_of_the_state(name: str) -> None:
+def test_a_force_near_zero_is_undecided_within_the_errors_of_the_state(name: str) -> None:
     assert called("leaving_force", PRESSED)["undecided_time"] == math.inf
     assert called("leaving_force", PRESSED, **{name: 1e-10})["undecided_time"] == 0
     # Where it passes zero quickly it does so in any case.
@@ -217,7 +217,7 @@ EACH_KERNEL = pytest.mark.parametrize("kernel", ["beside_body", "beside_end_plan
 
 
 @EACH_KERNEL
-def test_a_surface_that_a_rolling_ball_may_graze_is_in_doubt(kernel: str) -> None:
+def test_a_surface_that_a_rolling_ball_may_graze_is_undecided(kernel: str) -> None:
     assert called(kernel, BESIDE)["undecided_time"] == math.inf
     assert called(kernel, BESIDE, position_error=1e-9)["undecided_time"] == 0
     coming = BESIDE | {"nearing": -1.0}
@@ -232,7 +232,7 @@ def test_the_delay_of_a_meeting_holds_the_error_of_the_place(kernel: str) -> Non
 
 
 @EACH_KERNEL
-def test_two_events_of_a_rolling_ball_at_once_are_in_doubt(kernel: str) -> None:
+def test_two_events_of_a_rolling_ball_at_once_are_undecided(kernel: str) -> None:
     second = called(kernel, BESIDE, gap=0.0, nearing=-0.5, which=0.0)
     assert second["which"] == 0
     assert second["undecided_time"] == 0

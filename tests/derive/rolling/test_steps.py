@@ -279,7 +279,7 @@ def test_a_ball_that_departs_meets_no_other_body_meanwhile() -> None:
 def test_a_ball_that_departs_crosses_no_end_plane_in_certainty(
     gap: float, nearing: float, crosses: bool
 ) -> None:
-    """The shot is in doubt if a gap that bends as much can become positive and negative again."""
+    """The shot is undecided if a gap that bends as much can become positive and negative again."""
     ball = Rolling(91.0)
     ball.leave()
     ball.values |= {"free_time": math.inf, "undecided_time": math.inf}

@@ -1,4 +1,4 @@
-"""Passages through the ring: decided from the ball's flights, or in doubt.
+"""Passages through the ring: decided from the ball's flights, or undecided.
 
 The truth is from the same flights in more digits.
 """
@@ -36,7 +36,7 @@ def called(name: str, **given: Any) -> tuple[Any, ...]:
 
 
 def of_kernels(states: Floats, times: Floats, before: Floats, errors: Floats) -> tuple[Any, Any]:
-    """Return `through` after flights, and whether that is in doubt."""
+    """Return `through` after flights, and whether that is undecided."""
     given: dict[str, Any] = dict(zip(("x", "y", "z", "vx", "vy", "vz"), states.T, strict=True))
     given |= {"t": times, "through": before, "p_ring_radius": RADIUS, "p_gravity": GRAVITY}
     given |= {"extent": np.abs(states[:, :3]).sum(axis=1)}
@@ -84,7 +84,7 @@ def flights(count: int, seed: int) -> tuple[Floats, Floats, Floats]:
     return states, times, before
 
 
-def test_the_kernel_finds_what_more_digits_find_or_is_in_doubt() -> None:
+def test_the_kernel_finds_what_more_digits_find_or_is_undecided() -> None:
     states, times, before = flights(trials(6000, at_least=2000), seed=1)
     through, unsure = of_kernels(states, times, before, np.zeros(len(states)))
     wanted = [truth(s, t, int(b)) for s, t, b in zip(states, times, before, strict=True)]
@@ -97,7 +97,7 @@ def test_the_kernel_finds_what_more_digits_find_or_is_in_doubt() -> None:
 
 @pytest.mark.sampled(1)
 @pytest.mark.parametrize("error", [1e-13, 1e-9, 1e-6])
-def test_what_errors_of_a_state_turn_is_in_doubt(error: float) -> None:
+def test_what_errors_of_a_state_turn_is_undecided(error: float) -> None:
     states, times, before = flights(trials(4000, at_least=2000), seed=2)
     rng = np.random.Generator(np.random.PCG64(3))
     through, unsure = of_kernels(states, times, before, np.full(len(states), error))

@@ -1,4 +1,4 @@
-"""Passings of the disc near its edge: what errors of the state may turn is in doubt."""
+"""Passings of the disc near its edge: what errors of the state may turn is undecided."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tests.helpers.effort import trials
 
 @pytest.mark.sampled(1)
 @pytest.mark.parametrize("error", [1e-12, 1e-8, 1e-5])
-def test_a_passing_near_the_edge_is_in_doubt_if_errors_turn_it(error: float) -> None:
+def test_a_passing_near_the_edge_is_undecided_if_errors_turn_it(error: float) -> None:
     """Slow falls too, whose time an error of the height changes most."""
     count = trials(1500, at_least=1500)
     rng = np.random.Generator(np.random.PCG64(12))

@@ -29,8 +29,8 @@ def evaluate(module: ModuleType, kernel: str, given: dict[str, Any]) -> tuple[An
 
 def asked(module: ModuleType, given: dict[str, Any]) -> tuple[Any, Any, Any]:
     """Return where a start is near, and what `valid` says of it."""
-    near, valid, doubt = evaluate(module, "aside", given)
-    assert (valid, doubt) == (1.0, 0.0)
+    near, valid, uncertain = evaluate(module, "aside", given)
+    assert (valid, uncertain) == (1.0, 0.0)
     whether, unsure = evaluate(module, "valid", given)
     return near, whether, unsure
 
@@ -61,9 +61,9 @@ def test_who_is_beside_all_surfaces_is_outside_and_that_is_sure(
 ) -> None:
     sizes = {name: float(value) for name, value in usual.items()}
     given = starts(sizes, seed) | {f"p_{name}": value for name, value in sizes.items()}
-    near, valid, doubt = asked(module, given)
+    near, valid, uncertain = asked(module, given)
     assert np.all(valid[~near] == 1.0)
-    assert np.all(doubt[~near] == 0.0)
+    assert np.all(uncertain[~near] == 0.0)
     assert near.any()
     assert not near.all()
     assert np.any(valid[near] == 0.0)
@@ -83,7 +83,7 @@ def test_a_start_at_the_ring_is_undecided_or_what_more_digits_say() -> None:
     sizes = {name: float(value) for name, value in PAPER_COURT.items()}
     given = on_the_ring(sizes) | {"last": np.full(TOUCHING, -1.0)}
     given |= {f"p_{name}": value for name, value in sizes.items()}
-    valid, doubt = evaluate(court, "valid", given)
+    valid, uncertain = evaluate(court, "valid", given)
     with mpmath.workdps(50):
         outside = []
         for x, y, z in zip(given["x"], given["y"], given["z"], strict=True):
@@ -91,7 +91,7 @@ def test_a_start_at_the_ring_is_undecided_or_what_more_digits_say() -> None:
             reach = mpmath.mpf(sizes["ball_radius"]) + mpmath.mpf(sizes["wire_radius"])
             outside.append(mpmath.hypot(across, mpmath.mpf(z)) >= reach)
     computed = np.broadcast_to(valid, TOUCHING) == 1.0
-    assert np.all((computed == outside) | (np.broadcast_to(doubt, TOUCHING) > 0.0))
+    assert np.all((computed == outside) | (np.broadcast_to(uncertain, TOUCHING) > 0.0))
     assert np.any(computed != outside)  # else the starts are too far from the ring
 
 
