@@ -10,7 +10,8 @@ import numpy as np
 from benchmarks.contact_errors import KINDS, ContactErrors
 from benchmarks.families import FAMILIES, Family
 from benchmarks.report import number, table
-from hoopgen import COURT, PAPER_COURT
+from benchmarks.workloads import Workload
+from hoopgen import COURT, NBA_COURT, PAPER_COURT
 from hoopgen.text.numbers import format_percent
 
 MAX_CONTACTS = 14
@@ -27,6 +28,10 @@ LEFT_OUT = ("axis", "e0", "e001", "e099", "e1", "hoops")
 """Families that touch nothing, or whose parameters are those of another scene."""
 
 CHOSEN = tuple(family for family in FAMILIES if family.key not in LEFT_OUT)
+
+
+PRESETS = {"PAPER_COURT": PAPER_COURT, "NBA_COURT": NBA_COURT}
+"""The parameters of `court_shares`, by name."""
 
 
 @dataclass
@@ -76,20 +81,62 @@ def court_tally(family: Family, shots: int) -> CourtTally:
     return result
 
 
-def court_section(tallies: Sequence[CourtTally]) -> list[str]:
+@dataclass
+class CourtShares:
+    """How many of a workload's shots never roll, are proved, and are uncertain with a preset."""
+
+    label: str
+    preset: str
+    shots: int
+    never_rolled: int
+    proved: int
+    uncertain: int
+
+
+def court_shares(workload: Workload, preset: str, shots: int) -> CourtShares:
+    """Simulate a workload in `COURT` to its ends; the judge has no part in it.
+
+    Parameters
+    ----------
+    workload
+        The workload.
+    preset
+        The name of the parameters.
+    shots
+        The number of shots.
+    """
+    fields = ("outcome", "contacts", "rolls", "uncertain", "estimated")
+    flown = COURT.simulate(workload.make(shots), PRESETS[preset], fields=fields)
+    flags = (flown.rolls == 0, flown.proved, flown.uncertain)
+    counts = (int(np.count_nonzero(flag)) for flag in flags)
+    return CourtShares(workload.label, preset, len(flown), *counts)
+
+
+def _table_of_shares(shares: Sequence[CourtShares]) -> list[str]:
+    rows = []
+    for one in shares:
+        parts = (format_percent(n / one.shots, 2) for n in (one.never_rolled, one.proved))
+        row = [one.label, f"`{one.preset}`", f"{one.shots:,}", *parts, f"{one.uncertain:,}"]
+        rows.append(row)
+    return table(["shots", "parameters", "number", "never roll", "proved", "uncertain"], rows)
+
+
+def court_section(tallies: Sequence[CourtTally], shares: Sequence[CourtShares]) -> list[str]:
     """Return the section of the page.
 
     Parameters
     ----------
     tallies
         The results.
+    shares
+        The shares of the workloads.
     """
     head = ["shots", "number", "contacts", "estimated", "not estimated: flagged", "wrong", *KINDS]
     rows = []
     for t in tallies:
-        shares = (number(share) if share else "0" for share in t.contact_errors.shares)
+        parts = [number(share) if share else "0" for share in t.contact_errors.shares]
         counts = (format_percent(n / t.shots, 2) for n in (t.estimated, t.flagged))
-        rows.append([t.label, f"{t.shots:,}", f"{t.contacts:,}", *counts, str(t.wrong), *shares])
+        rows.append([t.label, f"{t.shots:,}", f"{t.contacts:,}", *counts, str(t.wrong), *parts])
     return [
         "## The whole hoop",
         "",
@@ -101,4 +148,8 @@ def court_section(tallies: Sequence[CourtTally]) -> list[str]:
         "shares of the bounds after a contact.",
         "",
         *table(head, rows),
+        "",
+        "The next table has the workloads with up to 1,000 contacts.",
+        "",
+        *_table_of_shares(shares),
     ]

@@ -21,12 +21,21 @@ from numpy.typing import NDArray
 
 import hoopgen
 from benchmarks.contact_errors import KINDS, ContactErrors
-from benchmarks.court_exactness import CHOSEN, CourtTally, court_section, court_tally
+from benchmarks.court_exactness import (
+    CHOSEN,
+    PRESETS,
+    CourtShares,
+    CourtTally,
+    court_section,
+    court_shares,
+    court_tally,
+)
 from benchmarks.decisions import HEAD, Decisions, together
 from benchmarks.families import FAMILIES, Family
 from benchmarks.machine import facts
 from benchmarks.penetration import deepest
 from benchmarks.report import number, section_of, table
+from benchmarks.workloads import WORKLOADS
 from hoopgen.core.files import write
 from hoopgen.judge import Certificate, Proof, certify
 from hoopgen.simulation.hoop import HOOP
@@ -229,7 +238,10 @@ def _depths(tallies: Sequence[Tally]) -> list[str]:
 
 
 def as_markdown(
-    tallies: Sequence[Tally], before: str = "", court: Sequence[CourtTally] = ()
+    tallies: Sequence[Tally],
+    before: str = "",
+    court: Sequence[CourtTally] = (),
+    shares: Sequence[CourtShares] = (),
 ) -> str:
     """Return the report; of the page as it was before, the section written by hand is kept."""
     by_hand = section_of(before, HEADING) if f"{HEADING}\n" in before else []
@@ -271,7 +283,7 @@ def as_markdown(
         "which 4,096 bits prove nothing.",
         "",
         *_at_contacts(tallies),
-        *court_section(court),
+        *court_section(court, shares),
         *by_hand,
         "## The ball never enters a surface",
         "",
@@ -315,11 +327,14 @@ def main() -> None:
     for family in CHOSEN:
         court.append(court_tally(family, max(20, shots // 200)))
         print(f"{family.label}, the whole hoop: {court[-1].wrong} wrong")
-    numbers = json.dumps([*map(asdict, tallies), *map(asdict, court)], indent=1)
+    shares = [court_shares(w, preset, shots) for preset in PRESETS for w in WORKLOADS[1:]]
+    numbers = json.dumps(
+        [*map(asdict, tallies), *map(asdict, court), *map(asdict, shares)], indent=1
+    )
     write(arguments.out / "exactness.json", numbers + "\n")
     page = arguments.out / "exactness.md"
     before = page.read_text("utf-8") if page.exists() else ""
-    write(page, as_markdown(tallies, before, court))
+    write(page, as_markdown(tallies, before, court, shares))
     broken = [t.wrong or t.unseen or max(*t.ratios, *t.contact_errors.shares) > 1 for t in tallies]
     sys.exit(any(broken) or not all(t.holds for t in court))
 

@@ -1,10 +1,10 @@
 """The sizes, in SI units, between which no arithmetic of a shot over- or underflows unnoticed.
 
 A release outside them is invalid; a flight that becomes larger makes its shot uncertain. Doubles
-hold numbers of 2^±1022, single precision, in which errors are carried where balls do not roll, of
-2^±126. With every length, speed, spin and acceleration at most `MAX_SIZE` S = 2^30, the ball's
-radius R_B and gravity g at least 1/S, and a flight's place, speed v and v²/g at most `MAX_FLIGHT`
-P = 2^60:
+hold numbers of 2^±1022. Single precision holds numbers of 2^±126; proved bounds are carried in it,
+and estimated errors where balls do not roll. With every length, speed, spin and acceleration at
+most `MAX_SIZE` S = 2^30, the ball's radius R_B and gravity g at least 1/S, and a flight's place,
+speed v and v²/g at most `MAX_FLIGHT` P = 2^60:
 
 Where gravity may be zero, or is along no axis, it has no least size, unless a ball may roll, and no
 bound on v²/g is asked for: the speed is at most `MAX_SPEED` V = 2^40, and every flight ends at the
