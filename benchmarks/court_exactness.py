@@ -83,7 +83,7 @@ def court_tally(family: Family, shots: int) -> CourtTally:
 
 @dataclass
 class CourtShares:
-    """How many of a workload's shots never roll, are proved, and are uncertain with a preset."""
+    """Counts of a workload's shots that never roll, are proved, and are uncertain with a preset."""
 
     label: str
     preset: str
