@@ -43,10 +43,10 @@ from ..surfaces import EndPlane, InclinedPlane, Plane
 from ..surfaces.directions import along
 from ..symbolic.conditionals import IfAtMost, IfLess, absolute, barrier
 from ..symbolic.rounding import ROUNDING_SLACK, rounding
-from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, position
+from ..symbolic.symbols import POSITION, VELOCITY, position
 from .event_polynomials import event_coefficients, horizon, leaving
 from .plane_filter import apart
-from .plane_start import start_side
+from .plane_start import start_side, vague_pull
 from .predicates import KERNELS
 from .search import Formula, Parts, Search, bounded, edges, given, proposed
 
@@ -57,8 +57,8 @@ AnyPlane = Plane | InclinedPlane
 def asks_side(plane: AnyPlane, flight: Parabola) -> bool:
     """Return whether it is decided on which side of a plane every flight begins.
 
-    Where balls roll, that is not so of bodies that gravity pulls to, or may pull to: a ball at rest
-    stays on them.
+    Where balls roll, that is not so of bodies that gravity pulls to, or may pull to: a ball that
+    begins on one may stay there. Of other flights it is decided there, too.
 
     Parameters
     ----------
@@ -74,8 +74,8 @@ def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
 
     Also the time of the gap's apex and the gap there, D / (-4 a), for a ball that moves along the
     plane at that time: whether there is an arrival is undecided if that gap is zero within its
-    error. If `asks_side`, the gap at the start stands for that of a ball that falls from then on,
-    and of a plane along gravity.
+    error. The gap at the start stands for that of a ball that falls from then on, unless it begins
+    on the plane and may stay there; and of a plane along gravity, if `asks_side`.
 
     With D = b² - 4 a c the arrival is where F' = -sqrt(D): t = 2 c / (sqrt(D) - b), the same as
     -(b + sqrt(D)) / (2 a); each loses no digits for one sign of b. Without an arrival the rate is
@@ -113,9 +113,8 @@ def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
     if has_sign(a):
         per_bend = barrier(1 / (2 * a))
         apex, height = -b * per_bend, -discriminant * per_bend / 2
-        if a.is_negative and asks_side(plane, flight):
-            # Of a ball that falls from the start on, that is where the gap is largest.
-            apex, height = IfLess(b, 0, 0, apex), IfLess(b, 0, c, height)
+        if a.is_negative:
+            apex, height = _largest(b, c, (apex, height), asks_side(plane, flight))
     else:
         # Without acceleration the formulas above hold, where 0/0 and an infinite time are no
         # arrival; the gap has no apex.
@@ -123,9 +122,10 @@ def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
         per_bend = barrier(1 / (2 * barrier(IfLess(0, size, a, 1))))
         apex = IfLess(0, size, -b * per_bend, IfAtMost(absolute(b), 0, 0, -1))
         height = IfLess(0, size, -discriminant * per_bend / 2, c)
+        first, largest = _largest(b, c, (apex, height), asks_side(plane, flight))
+        apex, height = IfLess(a, 0, first, apex), IfLess(a, 0, largest, height)
         if isinstance(plane, InclinedPlane):
-            size = barrier(sp.Add(*map(sp.Abs, plane.direction)))
-            error = barrier(_VAGUE * UNIT_ROUNDOFF * barrier(size * flight.strength))
+            error = vague_pull(plane, flight)
             met, apex, height, bend = _without_sign(a, b, c, error, (discriminant, apex, height))
             rate = IfLess(0, met, rate, root)
     return {
@@ -137,9 +137,29 @@ def plane_arrival(plane: AnyPlane, flight: Parabola) -> dict[str, sp.Expr]:
     }
 
 
-_VAGUE = 2**8
-"""Beyond that many roundings of gravity, those of an arrival that it causes are small beside its
-time."""
+def _largest(
+    b: sp.Expr, c: sp.Expr, usual: tuple[sp.Expr, sp.Expr], asked: bool
+) -> tuple[sp.Expr, sp.Expr]:
+    """Return the time from the start on at which the gap is largest, and the gap then.
+
+    Gravity pulls to the plane. Of a ball that falls from the start on, that is the start. If the
+    side is not asked of every flight, one that begins on the plane keeps its apex, before the
+    start.
+
+    Parameters
+    ----------
+    b, c
+        The rate of the gap at the start, and the gap.
+    usual
+        Time of the apex, and the gap there.
+    asked
+        What `asks_side` returns.
+    """
+    apex, height = usual
+    if asked:
+        return IfLess(b, 0, 0, apex), IfLess(b, 0, c, height)
+    falls = barrier(IfLess(b, 0, IfLess(0, leaving, 0, 1), 0))
+    return IfLess(0, falls, 0, apex), IfLess(0, falls, c, height)
 
 
 def _held(coefficient: sp.Expr) -> sp.Expr:
@@ -153,7 +173,7 @@ def _without_sign(
     """Return an arrival up to roundings: if there is any, apex, height and F''.
 
     The acceleration across the plane is a sum a = d·g/2, which cancels where the plane is along
-    gravity, and the path has roundings of g t²/2. With E for `_VAGUE` of them and |a| <= E, the
+    gravity, and the path has roundings of g t²/2. With E for `vague_pull` and |a| <= E, the
     true size is at most 2 E. Then a ball that does not approach the plane, or slows down before it,
     comes to it no sooner than at the first root T of c + b t - 2 E t². From then on it may: T takes
     the place of the apex, with a gap of zero, and F'' is zero, so that the place of the contact is
@@ -353,7 +373,9 @@ def _graze_within_bounds(common: Parts, own: Parts) -> Iterator[Node]:
     apex at the height of all of them. With the computed gap F(t) = H + F'' (t - A)²/2, whose error
     until a contact is at most the margin m, a contact has |F| <= m. If |H| <= m, it is at most
     2 sqrt(m/|F''|) away from the computed apex A. The bounds are evaluated at A, and their errors
-    contain the way flown in the time of 3 sqrt(m/|F''|). Without F'' the gap stays zero.
+    contain the way flown in the time of 3 sqrt(m/|F''|). Without F'' the gap stays zero. Of a ball
+    that falls from the start on, A is the start and H the gap then: it falls faster, and is within
+    m no longer.
 
     Arguments as for `Search.nodes`.
     """

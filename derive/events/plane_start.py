@@ -51,7 +51,8 @@ The true ball has b >= 0 where it left the plane, and does not come back. Where 
 its speed off the plane is nothing but an error: its gap counts as zero, and it is undecided.
 
 A plane from which gravity pulls the ball off (k < 0) is tested like one along gravity, by the gap
-and the rate at the start; the lemmas say nothing of it.
+and the rate at the start; so is one of which roundings decide whether it does. The lemmas say
+nothing of it.
 """
 
 from __future__ import annotations
@@ -66,7 +67,7 @@ from ..surfaces import InclinedPlane, Plane
 from ..surfaces.directions import along
 from ..symbolic.conditionals import Choose, IfLess, Less, absolute, any_of, barrier
 from ..symbolic.rounding import Rounded, extent, position_error, rounding, velocity_error
-from ..symbolic.symbols import POSITION, VELOCITY
+from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
 from .event_polynomials import leaving
 from .predicates import undecided_time
 
@@ -94,8 +95,9 @@ def plane_start(planes: Sequence[Plane], flight: Parabola) -> Kernel:
 def start_side(plane: Plane | InclinedPlane, flight: Parabola) -> dict[str, sp.Expr]:
     """Return rate, gap and margin at the start, for a plane from which gravity pulls a ball off.
 
-    If gravity does so with some parameters only, the rate is infinite with others. A ball that
-    leaves the plane does not come back. If its rate is negative all the same, that is an error.
+    If gravity does so with some parameters only, the rate is infinite where it certainly pulls to
+    the plane. A ball that leaves the plane does not come back. If its rate is negative all the
+    same, that is an error.
 
     Parameters
     ----------
@@ -108,8 +110,30 @@ def start_side(plane: Plane | InclinedPlane, flight: Parabola) -> dict[str, sp.E
     rate = barrier(along(plane.direction, VELOCITY))
     off = IfLess(0, leaving, IfLess(rate, 0, rate, sp.oo), rate)
     known = dict.fromkeys(POSITION, Rounded(extent, position_error))
+    if not fall.is_positive:
+        vague = -2 * vague_pull(plane, flight) if isinstance(plane, InclinedPlane) else 0
+        off = IfLess(barrier(fall), vague, sp.oo, off)
     return {
-        "start_rate": off if fall.is_positive else IfLess(barrier(fall), 0, sp.oo, off),
+        "start_rate": off,
         "start_gap": barrier(plane.condition),
         "start_margin": 2 * rounding(plane.condition, known).error,
     }
+
+
+_VAGUE = 2**8
+"""Beyond that many roundings of gravity, those of an arrival that it causes are small beside its
+time."""
+
+
+def vague_pull(plane: InclinedPlane, flight: Parabola) -> sp.Expr:
+    """Return half the acceleration across a plane up to which its sign is not certain, m/s².
+
+    Parameters
+    ----------
+    plane
+        The plane.
+    flight
+        The motion between contacts.
+    """
+    size = barrier(sp.Add(*map(sp.Abs, plane.direction)))
+    return barrier(_VAGUE * UNIT_ROUNDOFF * barrier(size * flight.strength))

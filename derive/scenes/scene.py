@@ -204,8 +204,8 @@ class Scene:
     def proves_bounces(self) -> bool:
         """True if errors have proved bounds until a ball rolls, beside those that are estimated.
 
-        Where balls roll, it is not decided on which side of a plane a flight begins if the plane
-        belongs to a body. So no body may be a plane.
+        Where balls roll, it is not decided on which side of a plane every flight begins if that
+        plane belongs to a body. So no body may be a plane.
         """
         planes = any(isinstance(surface, Plane) for surface in self.surfaces)
         return self.rolls and self._has_lemmas and not planes

@@ -69,6 +69,12 @@ def behind(surface: str, more: str) -> OfEngine:
     return OfEngine(test, scene=passed.ring_and(surface, more))
 
 
+def falls_at(surface: str, more: str) -> OfEngine:
+    """Return the check of a plate at which balls fall, in a scene of its own."""
+    test = passed.test_a_ball_that_falls_from_a_body_at_a_plate_to_within_a_rounding_is_uncertain
+    return OfEngine(test, scene=passed.falling_at(surface, more))
+
+
 def without(kernel: str) -> Any:
     """Take an evaluation of a kernel out of the event loop."""
     return in_tree(lambda n: () if isinstance(n, Call) and n.kernel.name == kernel else (n,))
@@ -121,13 +127,33 @@ FAULTS = (
         for surface in ("sphere", "cylinder")
     ),
     Planted(
+        "a ball that falls at a plate on which balls roll is before it",
+        in_text(plane, "_largest", "IfLess(0, leaving, 0, 1)", "0"),
+        falls_at("floor", "rolls"),
+    ),
+    Planted(
+        "a ball that falls at an inclined plate is before it",
+        in_text(plane, "plane_arrival", "IfLess(a, 0, first, apex)", "apex"),
+        falls_at("incline", ""),
+    ),
+    Planted(
+        "roundings decide whether gravity pulls to a plate",
+        in_text(
+            plane,
+            "start_side",
+            "-2 * vague_pull(plane, flight) if isinstance(plane, InclinedPlane) else 0",
+            "0",
+        ),
+        falls_at("hanging", "aslant"),
+    ),
+    Planted(
         "a ball that falls from the start on has no apex",
-        in_text(plane, "plane_arrival", "IfLess(b, 0, c, height)", "height"),
+        in_text(plane, "_largest", "IfLess(b, 0, c, height)", "height"),
         start,
     ),
     Planted(
         "a ball that falls from the start on is within its margin as long as before",
-        in_text(plane, "plane_arrival", "IfLess(b, 0, 0, apex), ", "apex, "),
+        in_text(plane, "_largest", "IfLess(b, 0, 0, apex), ", "apex, "),
         start,
     ),
     Planted(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from hoopgen.derive.events import oblique_box, plane, root_finder
+from hoopgen.derive.events import oblique_box, plane_start, root_finder
 from hoopgen.derive.motion.flight import Flight
 
 from tests.derive.events import test_inclined_planes, test_turned_box_search
@@ -62,12 +62,12 @@ FAULTS = (
     ),
     Planted(
         "roundings of gravity along a plane cause arrivals",
-        lambda patch: patch.setattr(plane, "_VAGUE", 0),
+        lambda patch: patch.setattr(plane_start, "_VAGUE", 0),
         along_gravity,
     ),
     Planted(
         "an arrival that gravity along a plane causes is said beyond a quarter of the roundings",
-        lambda patch: patch.setattr(plane, "_VAGUE", 2**6),
+        lambda patch: patch.setattr(plane_start, "_VAGUE", 2**6),
         late,
     ),
 )
