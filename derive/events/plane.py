@@ -349,7 +349,7 @@ class PlaneSearch(Search):
         yield Call(KERNELS["within_time"])
         if self.pulled_off:
             yield Call(own["start_side"])
-            side = {"rate": "start_rate", "height": "start_gap", "margin": "start_margin"}
+            side = {"rate": "side_rate", "height": "side_gap", "margin": "side_margin"}
             yield Call(KERNELS["side_undecided"], side)
         # Balls that begin to roll have apexes within the margin all the time.
         asked = asks_side(self.surface, self.flight)

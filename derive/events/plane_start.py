@@ -114,9 +114,9 @@ def start_side(plane: Plane | InclinedPlane, flight: Parabola) -> dict[str, sp.E
         vague = -2 * vague_pull(plane, flight) if isinstance(plane, InclinedPlane) else 0
         off = IfLess(barrier(fall), vague, sp.oo, off)
     return {
-        "start_rate": off,
-        "start_gap": barrier(plane.condition),
-        "start_margin": 2 * rounding(plane.condition, known).error,
+        "side_rate": off,
+        "side_gap": barrier(plane.condition),
+        "side_margin": 2 * rounding(plane.condition, known).error,
     }
 
 

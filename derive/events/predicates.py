@@ -68,7 +68,7 @@ rate, bend, apex, height, margin, rate_margin = sp.symbols(
     "rate bend apex height margin rate_margin", real=True
 )
 gap, step, following, root, clearance = sp.symbols("gap step next root clearance", real=True)
-side, candidate = sp.symbols("side candidate", real=True)
+side, candidate, gap_at_start = sp.symbols("side candidate gap_at_start", real=True)
 second = sp.Symbol("second", real=True)
 """A plane that the flight began on besides the surface touched last; -1: none."""
 through = sp.Symbol("through", real=True)
@@ -172,8 +172,7 @@ _graze_delay = 3 * sp.sqrt(barrier(margin / barrier(IfLess(0, absolute(bend), ab
 _still = all_of(Less(t, end), Not(Less(t, following)))
 _sunk = Less(gap, -margin)
 _lands = all_of(met, arrives)
-_on_either_side = all_of(AtMost(t, 0), AtMost(leaving, 0), AtMost(gap, margin))
-"""True of a flight that begins at a surface that it has not left: it may begin behind it."""
+_at_start = all_of(_lands, AtMost(t, 0), AtMost(leaving, 0))
 _near = all_of(Equal(last, index), Less(tilt * t, flat))
 _exhausted = all_of(Not(hit), Not(needs_refinement), AtMost(end - t, step))
 
@@ -418,6 +417,11 @@ KERNELS = {
             "Margin of the form, F or F/t, in which an arrival was found.",
         ),
         decision(
+            "behind",
+            {"undecided_time": Choose(AtMost(gap_at_start, margin), 0, undecided_time)},
+            "Undecided time 0 if an arrival at the start may be that of a ball behind the surface.",
+        ),
+        decision(
             "arrival_time",
             {"time": Choose(Less(arrival, 0), 0, arrival)},
             "Time of an arrival, not before the flight.",
@@ -435,8 +439,8 @@ KERNELS = {
         ),
         decision(
             "outside",
-            {"side": 1},
-            "Start value: the ball is outside the surface.",
+            {"side": 1, "gap_at_start": sp.oo},
+            "Start values: the ball is outside the surface, and not known to begin at it.",
         ),
         decision(
             "gap_closes_bounded",
@@ -471,7 +475,7 @@ KERNELS = {
                 "searching": all_of(Not(_lands), Not(all_of(_exhausted, Not(penetrates)))),
                 "side": Choose(Or(penetrates, all_of(hit, Not(_lands))), -side, side),
                 "t": Choose(hit, candidate, Choose(Or(needs_refinement, penetrates), t, following)),
-                "undecided_time": Choose(all_of(_lands, _on_either_side), 0, undecided_time),
+                "gap_at_start": Choose(_at_start, gap, gap_at_start),
             },
             "The search after a step that passes a root out of bounds and goes on behind it.",
         ),

@@ -55,8 +55,9 @@ In single precision C is a bound on the next 2 (G + 2 m)/r alone, in the window,
 (G + 2 m) implies the same.
 
 A ball may be behind a surface that has bounds, or a plane in air. It is in front at the start if
-F^ > m there, or if it leaves the surface. If F^ is at most m otherwise, and falls, the true ball
-may be behind and meet nothing: an arrival of that step is undecided (`passed` in `predicates.py`).
+F^ > m there, or if it leaves the surface; it is behind if F^ < -m. If neither holds, and F falls
+there, the true ball may be behind and meet nothing: an arrival of that step is undecided (`behind`
+in `predicates.py`). The m of that decision has the shot's own errors in place of the error budget.
 """
 
 from __future__ import annotations

@@ -187,7 +187,8 @@ class RootSearch(Search):
             again = (prepared, *allowing, within, entered, *found)
             leaping = _leaping(common, own, index)
             search = (*leaping, If("searching", again))
-        searched = (*search, *_landing(common, own, index), *proposed(index))
+        root = _landing(common, own, index, passes=self.passes)
+        searched = (*search, *root, *proposed(index))
         if not _tested(own):
             yield from searched
             return
@@ -424,7 +425,7 @@ def _passing_step(
     yield If("exhausted", (Call(own["enter"], {"after": "end"}),))
 
 
-def _landing(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
+def _landing(common: Parts, own: Parts, index: Value, *, passes: bool) -> Iterator[Node]:
     """Refine the root that was found, with the shot's own errors."""
     yield Call(KERNELS["found"])
     yield Call(KERNELS["nearby"], {"index": index, "t": "arrival"})
@@ -439,6 +440,8 @@ def _landing(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     yield While("refining", NEWTON_LIMIT, newton)
     yield Call(own["margins"], {"horizon": "latest"}, {"margin": "flat", "leaving_margin": "tilt"})
     yield Call(KERNELS["own_margin"])
+    if passes:
+        yield Call(KERNELS["behind"])
     yield Call(common["crossing"])
     yield Call(KERNELS["arrival_time"])
     yield Call(KERNELS["arrival_certainty"])

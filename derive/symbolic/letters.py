@@ -51,6 +51,12 @@ FLIGHTS = {
     "arrival": Entry("t_r", "root that a search has found; infinite: none"),
     "refined": Entry("t_R", "root after one more step of Newton's method"),
     "candidate": Entry("t_p", "root that counts if it is within the bounds"),
+    "gap_at_start": Entry(
+        "F_s", "gap at the start of a flight that arrives at once, else infinite"
+    ),
+    "side_rate": Entry("F'_0", "rate of a plane's gap at the start; infinite: it decides nothing"),
+    "side_gap": Entry("F_0", "gap of a plane at the start of a flight"),
+    "side_margin": Entry("m_0", "twice the error of that gap"),
     "side": Entry(
         r"\vartheta", "1 outside the surface, -1 inside its continuation beyond the bounds"
     ),

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 409c6c16e4d3ba18,
+   Generated from templates/c/kernels.h.j2, scene court, derivation dbdf4b87ee6d0a5a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -1001,16 +1001,16 @@ LANES(court_arrival_certainty)(V clearance, V time, V delay, V undecided_time, M
     return (LANES(court_arrival_certainty_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(_s1, undecided_time)), _s1, undecided_time) };
 }
 
-/* Start value: the ball is outside the surface.
+/* Start values: the ball is outside the surface, and not known to begin at it.
    Table 1. No operations. */
 typedef struct {
-    V side;
+    V side, gap_at_start;
 } LANES(court_outside_out);
 
 LANES_INLINE LANES(court_outside_out)
 LANES(court_outside)(void)
 {
-    return (LANES(court_outside_out)){ K(1.0) };
+    return (LANES(court_outside_out)){ K(1.0), K(INFINITY) };
 }
 
 /* Whether all numbers of a release are small enough not to overflow.

@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation 409c6c16e4d3ba18,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation dbdf4b87ee6d0a5a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -1049,15 +1049,15 @@ static __device__ __forceinline__ kernel_arrival_certainty_out kernel_arrival_ce
     return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (_s1 < undecided_time)), _s1, undecided_time)};
 }
 
-/* Start value: the ball is outside the surface.
+/* Start values: the ball is outside the surface, and not known to begin at it.
    Table 1. No operations. */
 struct kernel_outside_out {
-    double side;
+    double side, gap_at_start;
 };
 
 static __device__ __forceinline__ kernel_outside_out kernel_outside()
 {
-    return {1.0};
+    return {1.0, INFINITE};
 }
 
 /* Whether all numbers of a release are small enough not to overflow.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 409c6c16e4d3ba18,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation dbdf4b87ee6d0a5a,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -401,7 +401,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "own_margin": ("margin",),
     "arrival_time": ("time",),
     "arrival_certainty": ("delay", "undecided_time",),
-    "outside": ("side",),
+    "outside": ("side", "gap_at_start",),
     "state_in_range": ("in_range",),
     "opening": ("when", "which", "earliest_delay", "undecided_time",),
     "limited": ("limited",),
@@ -1861,11 +1861,11 @@ def arrival_certainty(clearance: Any, time: Any, delay: Any, undecided_time: Any
 
 
 def outside() -> tuple[Any, ...]:
-    """Start value: the ball is outside the surface.
+    """Start values: the ball is outside the surface, and not known to begin at it.
 
     Table 1. No operations.
     """
-    return 1.0,
+    return 1.0, _inf
 
 
 def state_in_range(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:

@@ -108,7 +108,7 @@ FAULTS = (
     *(
         Planted(
             f"nothing is undecided at the start at the {surface}, {more or 'where none rolls'}",
-            in_tree(lambda n: () if "start_gap" in start_inputs(n) else (n,)),
+            in_tree(lambda n: () if "side_gap" in start_inputs(n) else (n,)),
             behind(surface, more),
         )
         for surface, more in (
@@ -121,7 +121,7 @@ FAULTS = (
     *(
         Planted(
             f"a search that may begin behind the {surface} is sure of it",
-            in_decisions(searching, "all_of(_lands, _on_either_side)", "false"),
+            in_decisions(searching, "AtMost(gap_at_start, margin)", "false"),
             behind(surface, ""),
         )
         for surface in ("sphere", "cylinder")
