@@ -54,7 +54,9 @@ FLIGHTS = {
     "gap_at_start": Entry(
         "F_s", "gap at the start of a flight that arrives at once, else infinite"
     ),
-    "side_rate": Entry("F'_0", "rate of a plane's gap at the start; infinite: it decides nothing"),
+    "side_rate": Entry(
+        r"\dot F_0", "rate of a plane's gap at the start; infinite: it decides nothing"
+    ),
     "side_gap": Entry("F_0", "gap of a plane at the start of a flight"),
     "side_margin": Entry("m_0", "twice the error of that gap"),
     "side": Entry(
