@@ -17,6 +17,7 @@ from hoopgen import Event
 from hoopgen.scene import Scene, load_scene
 from hoopgen.simulation.engine import Engine
 from tests.helpers.effort import trials
+from tests.helpers.proved_bounds import bounded_events
 
 pytest.importorskip("flint")
 
@@ -65,6 +66,10 @@ MORE = {
 the plane `hanging`, up to roundings."""
 END = '\n[ends.passed]\naxis = "-{axis}"\nat = "place"'
 BODY = "\n[bodies.passed]\n"
+BOUNDED = (
+    *("outcome", "contacts", "counts", "time", "state"),
+    *("uncertain", "estimated", "time_error", "state_error"),
+)
 OPTIONS = {"record": True, "max_contacts": 5}
 
 
@@ -282,3 +287,16 @@ def test_a_ball_that_falls_from_a_body_at_a_plate_to_within_a_rounding_is_uncert
         proof = engine.certify(states, {"place": moved}, processes=1, **OPTIONS)
         assert np.all(proof.agrees(shots))
         assert np.mean(shots.uncertain) < 0.05
+
+
+def test_bounds_are_proved_where_a_wall_ends_shots_and_balls_roll() -> None:
+    engine = hoopgen.compile(ring_and("end across x", "rolls"))
+    states = thrown(trials(200, at_least=80))
+    place = {"place": -np.random.default_rng(5).uniform(-0.3, 0.3, len(states))}
+    shots = engine.simulate(states, place, **OPTIONS, fields=BOUNDED)
+    proof = engine.certify(states, place, processes=1, **OPTIONS)
+    assert np.mean(shots.proved) > 0.9
+    assert np.mean(shots.uncertain) < 0.05
+    assert np.all(proof.agrees(shots))
+    assert np.count_nonzero(bounded_events(shots, proof)) > len(states)
+    assert np.all(np.bincount(shots.outcome, minlength=2)[:2] > len(states) / 10)
