@@ -129,8 +129,8 @@ def _search_order(
     """Return the key by which surfaces are searched in order.
 
     Along gravity a ball may hardly move. Whether it comes to such a plane before its next event is
-    decided only if an arrival elsewhere is known. If no plane that ends shots always has one, the
-    other planes come before these.
+    decided only if an arrival elsewhere is known. So such ends come after the others. If none of
+    these always has an arrival, the planes of bodies come before them, too.
 
     Parameters
     ----------
@@ -165,7 +165,8 @@ def _detect(
     if open_ended:
         yield expiry
     # End planes come first: an arrival that is certainly later needs no search.
-    kinds = by_kind(sorted((*end_planes, *contacts), key=_search_order(end_planes)))
+    ends = sorted(end_planes, key=lambda end: end.search.level)
+    kinds = by_kind(sorted((*ends, *contacts), key=_search_order(end_planes)))
     *_, last_closed = (None, *(kind for kind in kinds if kind.first.search.closed))
     for plates, alike in groupby(kinds, lambda kind: _plate(common, kind)):
         nodes: list[Node] = []

@@ -89,7 +89,9 @@ PREMISES: dict[str, Premise] = {
         LEMMA, "running error", _kernels("common.scale common.measure common.begun_with")
     ),
     "flight_rounding": Premise(LEMMA, "rounding of a flight"),
-    "plane_margin": Premise(CHOICE, "margin of a plane", _kernels("plane.margin end.margin")),
+    "plane_margin": Premise(
+        CHOICE, "margin of a plane", _kernels("plane.margin end.margin *.start_side")
+    ),
     "displacement": Premise(
         LEMMA, "error of a length at a computed arrival", _kernels("common.displacement")
     ),
@@ -118,7 +120,7 @@ PREMISES: dict[str, Premise] = {
         _kernels(
             "common.missed common.opens common.allowance common.beginning common.gap_closes "
             "common.gap_closes_or_stalls common.smaller_budget common.budget_undecided "
-            "common.advanced common.outside common.gap_closes_bounded common.passed"
+            "common.advanced common.outside common.gap_closes_bounded common.passed common.behind"
         ),
     ),
     # The ring
