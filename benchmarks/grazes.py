@@ -216,7 +216,7 @@ FIELD: dict[str, Look] = {**OURS, **{peer.label: _by_peer(peer) for peer in PEER
 @dataclass(frozen=True)
 class Tally:
     """Somebody's grazes of a kind and band, of which the judge has proved `touching` and `passing`
-    and could not decide `undecided`. `missed` and `invented` contacts are those that are not in
+    and could not decide `undecided`. `missed` and `invented` contacts are those that are not
     uncertain; `wrong_uncertain` counts the others."""
 
     who: str

@@ -607,12 +607,12 @@ FAULTS = (
     ),
     # The branch of friction.
     Planted(
-        "whether a contact slips is never in uncertain",
+        "whether a contact slips is never undecided",
         in_text(event_loop, "_law", 'if "undecided" in surface.law', 'if "none" in surface.law'),
         switch,
     ),
     Planted(
-        "the uncertain of slip and grip is a thousandth",
+        "the undecided range of slip and grip is a thousandth",
         in_text(
             friction.CoulombFriction,
             "undecided",
@@ -622,7 +622,7 @@ FAULTS = (
         switch,
     ),
     Planted(
-        "whether a contact slips is always in uncertain",
+        "whether a contact slips is always undecided",
         in_text(
             friction.CoulombFriction,
             "undecided",
