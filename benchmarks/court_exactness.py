@@ -149,7 +149,8 @@ def court_section(tallies: Sequence[CourtTally], shares: Sequence[CourtShares]) 
         "",
         *table(head, rows),
         "",
-        "The next table has shots of the workloads with up to 1,000 contacts, which are not judged.",
+        "The next table has shots of the workloads with up to 1,000 contacts, which are not "
+        "judged.",
         "",
         *_table_of_shares(shares),
     ]

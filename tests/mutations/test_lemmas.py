@@ -12,6 +12,7 @@ from hoopgen.derive.events.ring.double import RingRootFinder
 from hoopgen.derive.events.ring.polar import PolarRootFinder
 from hoopgen.derive.events.ring.single import SinglePrecisionRing
 from hoopgen.derive.ir.event_tree import Call
+from hoopgen.derive.loop import event_loop
 from hoopgen.derive.scenes import COURT, HOOP
 
 pytest.importorskip("flint")
@@ -21,6 +22,7 @@ from tests.derive.events import test_plane_decisions as planes
 from tests.derive.events import test_ring_window_errors as ring
 from tests.helpers.checked_faults import OfEngine, OfFormulas, OfKernels, Planted, passing, tripping
 from tests.helpers.mutants import in_decisions, in_text, in_tree
+from tests.scene import test_shelf
 from tests.simulation import test_passed_surfaces as passed
 
 pytestmark = [pytest.mark.xdist_group("lemma_mutations")]
@@ -83,8 +85,8 @@ def without(kernel: str) -> Any:
 FAULTS = (
     Planted("no apex and no start is undecided", without("apex_undecided"), height),
     Planted(
-        "where balls roll, the side of an end is sure",
-        in_text(plane, "asks_side", "isinstance(plane, EndPlane)", "False"),
+        "where balls roll, a ball that falls at an end from the start on is before it",
+        in_text(plane, "_largest", "IfLess(b, 0, c, height)", "height"),
         height_of_court,
     ),
     *(
@@ -125,6 +127,18 @@ FAULTS = (
             behind(surface, ""),
         )
         for surface in ("sphere", "cylinder")
+    ),
+    Planted(
+        "an end along gravity is searched before any arrival is known",
+        in_text(
+            event_loop,
+            "_detect",
+            "sorted(end_planes, key=lambda end: end.search.level)",
+            "end_planes",
+        ),
+        OfEngine(
+            test_shelf.test_bounces_end_when_their_sum_says, ((0.2,),), scene=test_shelf.SHELF
+        ),
     ),
     Planted(
         "a ball that falls at a plate on which balls roll is before it",
