@@ -16,19 +16,6 @@ from .bounds import bound_kernels, limits
 from .symbols import gap_convexity, rolled, rolling_acceleration, turning
 
 
-def allows_rolling(surface: Surface, flight: Flight) -> bool:
-    """Return True if a ball can stay in contact with the surface; else it bounces on.
-
-    Parameters
-    ----------
-    surface
-        The surface.
-    flight
-        The motion between contacts.
-    """
-    return surface.surface_below(flight.upright) is not None
-
-
 def contact_phase_kernels(
     surface: Surface,
     flight: Flight,
@@ -57,7 +44,7 @@ def contact_phase_kernels(
     kernels = _beside(surface, edges)
     if edges:
         kernels |= bound_kernels(surface, ball_radius) | {"facing": _facing(surface)}
-    if not allows_rolling(surface, flight):
+    if surface.surface_below(flight.upright) is None:
         return kernels
     return kernels | _under(surface, flight, oblique, revolved)
 

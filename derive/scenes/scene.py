@@ -243,6 +243,16 @@ class Scene:
         found = (surface.surface_below(self.flight.upright) for surface in self.surfaces)
         return self.rolls and any(one and one.revolved is not None for one in found)
 
+    def allows_rolling(self, surface: Surface) -> bool:
+        """Return True if a ball can stay in contact with a surface; else it bounces on.
+
+        Parameters
+        ----------
+        surface
+            A surface of the scene.
+        """
+        return self.rolls and surface.surface_below(self.flight.upright) is not None
+
     @property
     def ball(self) -> Ball:
         """The ball."""

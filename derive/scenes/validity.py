@@ -62,7 +62,10 @@ def valid(scene: Scene, tabled: Set[int]) -> dict[str, sp.Expr]:
     """Return whether a ball can start at a finite position, and whether that is undecided.
 
     A ball is inside a surface if the largest of the surface's `inside` is negative; it is undecided
-    if that is within the rounding of its evaluation. The surface that the ball leaves is left out.
+    if that is within the rounding of its evaluation. Of the surface that the ball leaves it must be
+    within that rounding: then the ball is on it, as after a contact. Further off, an arrival there
+    depends on whether the ball or the surface is taken to be where it is, and the shot is
+    undecided. Where a ball rolls it is put onto the surface (`rolling/start.py`).
 
     **Lemma (start).** Let s be 16 u times the sum S of the sizes of coordinates and lengths. In
     `HOOP` and `COURT`, an `inside` that is larger than s in size, for the ring 4 R s, has the right
@@ -93,13 +96,12 @@ def valid(scene: Scene, tabled: Set[int]) -> dict[str, sp.Expr]:
         `valid` and `undecided_time`, each 1 or 0; for tabled surfaces the two lengths, too, m.
     """
     slack = _slack([measured] if tabled else _sizes(scene))
-    several = _have_several_surfaces(scene)
     verdict: sp.Expr = sp.Integer(1)
     undecided: sp.Expr = sp.Integer(0)
     for index, surface in enumerate(scene.surfaces):
         if index not in tabled:
             so_far = (verdict, undecided)
-            verdict, undecided = _with_surface(surface, index, *so_far, slack, several)
+            verdict, undecided = _with_surface(scene, surface, index, *so_far, slack)
     found = {"valid": verdict, "undecided_time": undecided}
     return found | ({"blur": slack, "leeway": CERTAIN_DISTANCE_FACTOR * slack} if tabled else {})
 
@@ -214,31 +216,31 @@ def surface_start(surface: Surface, scene: Scene) -> dict[str, sp.Expr]:
         As `valid`.
     """
     so_far = (valid_so_far, undecided_so_far)
-    several = _have_several_surfaces(scene)
-    verdict, undecided = _with_surface(surface, index, *so_far, blur, several)
+    verdict, undecided = _with_surface(scene, surface, index, *so_far, blur)
     return {"valid": verdict, "undecided_time": undecided}
 
 
 def _with_surface(
+    scene: Scene,
     surface: Surface,
     index: sp.Expr | int,
     verdict: sp.Expr,
     undecided: sp.Expr,
     slack: sp.Expr,
-    several: bool,
 ) -> tuple[sp.Expr, sp.Expr]:
+    several = _have_several_surfaces(scene)
+    is_put_on = scene.allows_rolling(surface)
     overlap = barrier(maximum(*map(without_assumptions, surface.inside)))
     left = barrier(absolute((left_middle if several else last) - index))
     own = left_reach if several else sp.Rational(1, 2)
-    near = IfAtMost(
-        absolute(overlap),
-        barrier(without_assumptions(surface.steepness)) * slack,
-        1,
-        undecided,
-    )
+    rounding = barrier(without_assumptions(surface.steepness)) * slack
+    near = IfAtMost(absolute(overlap), rounding, 1, undecided)
+    off = undecided if is_put_on else IfAtMost(absolute(overlap), rounding, undecided, 1)
+    if several and not is_put_on:  # the ball is on one surface of the body
+        off = IfLess(absolute(last - index), sp.Rational(1, 2), off, undecided)
     return (
         IfLess(left, own, verdict, IfAtMost(0, overlap, verdict, 0)),
-        IfLess(left, own, undecided, near),
+        IfLess(left, own, off, near),
     )
 
 

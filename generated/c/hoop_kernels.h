@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation e60270a326e07e99,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 1a2afd0b5b720af3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -246,7 +246,7 @@ LANES(hoop_parameters_in_range)(const LANES(column) *p, size_t row, V allowed)
 }
 
 /* 1 if the ball overlaps no surface; 1 if that is undecided.
-   Table 2. 83 operations: 8 additions, 13 subtractions, 6 multiplications, 1 square root, 3 negations, 9 absolute values, 20 comparisons, 23 selections. */
+   Table 2. 86 operations: 8 additions, 13 subtractions, 6 multiplications, 1 square root, 3 negations, 9 absolute values, 20 comparisons, 26 selections. */
 typedef struct {
     V valid, undecided_time;
 } LANES(hoop_valid_out);
@@ -285,10 +285,13 @@ LANES(hoop_valid)(V last, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c
     const V _s28 = lanes_neg(lanes_add(_c1, x));
     const V _s29 = lanes_max(_s27, _s28);
     const M _s30 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
-    const V _s31 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_add(_c12, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
-    const V _s32 = lanes_select(_s3, K(0.0), lanes_select(lanes_at_most(lanes_abs(_s2), lanes_mul(_c11, _s31)), K(1.0), K(0.0)));
-    const V _s33 = lanes_select(_s16, _s32, lanes_select(lanes_at_most(lanes_abs(_s15), _s31), K(1.0), _s32));
-    return (LANES(hoop_valid_out)){ lanes_select(_s30, _s17, lanes_select(lanes_at_most(K(0.0), _s29), _s17, K(0.0))), lanes_select(_s30, _s33, lanes_select(lanes_at_most(lanes_abs(_s29), _s31), K(1.0), _s33)) };
+    const V _s31 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_add(_c11, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
+    const M _s32 = lanes_at_most(lanes_abs(_s2), lanes_mul(_c12, _s31));
+    const V _s33 = lanes_select(_s3, lanes_select(_s32, K(0.0), K(1.0)), lanes_select(_s32, K(1.0), K(0.0)));
+    const M _s34 = lanes_at_most(lanes_abs(_s15), _s31);
+    const V _s35 = lanes_select(_s16, lanes_select(_s34, _s33, K(1.0)), lanes_select(_s34, K(1.0), _s33));
+    const M _s36 = lanes_at_most(lanes_abs(_s29), _s31);
+    return (LANES(hoop_valid_out)){ lanes_select(_s30, _s17, lanes_select(lanes_at_most(K(0.0), _s29), _s17, K(0.0))), lanes_select(_s30, lanes_select(_s36, _s35, K(1.0)), lanes_select(_s36, K(1.0), _s35)) };
 }
 
 /* Whether the ball starts near a surface; otherwise its start is valid and decided.

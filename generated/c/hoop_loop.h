@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene hoop, derivation e60270a326e07e99,
+   Generated from templates/c/loop.h.j2, scene hoop, derivation 1a2afd0b5b720af3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -1038,7 +1038,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         BOUNDS(EACH(GET, _aside_1, undecided_time))
         const M _if_close_1 = close;
         if (lanes_any(_if_close_1)) {
-            CALL(hoop_valid, _valid_1)(last, x, y, z, FIXED(5), FIXED(0), FIXED(6), FIXED(7), FIXED(8), FIXED(9), FIXED(10), FIXED(11), FIXED(3), FIXED(4), FIXED(12), FIXED(13), FIXED(1));
+            CALL(hoop_valid, _valid_1)(last, x, y, z, FIXED(5), FIXED(0), FIXED(6), FIXED(7), FIXED(8), FIXED(9), FIXED(10), FIXED(11), FIXED(3), FIXED(4), FIXED(12), FIXED(1), FIXED(13));
             EACH(SELECT, (_if_close_1, _valid_1), valid)
             BOUNDS(EACH(SELECT, (_if_close_1, _valid_1), undecided_time))
         }
@@ -1321,7 +1321,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             BOUNDS(EACH(GET, _aside_1, undecided_time))
             const M _if_close_1 = lanes_both(rows, close);
             if (lanes_any(_if_close_1)) {
-                CALL(hoop_valid, _valid_1)(last, x, y, z, FIXED(5), FIXED(0), FIXED(6), FIXED(7), FIXED(8), FIXED(9), FIXED(10), FIXED(11), FIXED(3), FIXED(4), FIXED(12), FIXED(13), FIXED(1));
+                CALL(hoop_valid, _valid_1)(last, x, y, z, FIXED(5), FIXED(0), FIXED(6), FIXED(7), FIXED(8), FIXED(9), FIXED(10), FIXED(11), FIXED(3), FIXED(4), FIXED(12), FIXED(1), FIXED(13));
                 EACH(SELECT, (_if_close_1, _valid_1), valid)
                 BOUNDS(EACH(SELECT, (_if_close_1, _valid_1), undecided_time))
             }

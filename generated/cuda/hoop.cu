@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation e60270a326e07e99,
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation 1a2afd0b5b720af3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -318,7 +318,7 @@ static __device__ __forceinline__ kernel_parameters_in_range_out kernel_paramete
 }
 
 /* 1 if the ball overlaps no surface; 1 if that is undecided.
-   Table 2. 111 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 23 selections. */
+   Table 2. 114 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 26 selections. */
 struct kernel_valid_out {
     double valid, undecided_time;
 };
@@ -362,9 +362,12 @@ static __device__ __forceinline__ kernel_valid_out kernel_valid(double last, dou
     const double _s34 = ((((fabs(p_board_bottom) + fabs(p_board_top)) + fabs(p_ball_radius)) + fabs(p_ring_radius)) + fabs(p_wire_radius)) + fabs(p_board_distance);
     const double _s35 = ((((_s34 + fabs(p_board_half_width)) + fabs(p_bridge_half_width)) + fabs(p_end_depth)) + fabs(x)) + fabs(y);
     const double _s36 = 1.7763568394002505e-15 * (_s35 + fabs(z));
-    const double _s37 = choose(_s4, 0.0, choose((fabs(_s3) <= (((4.0 * p_ball_radius) + (4.0 * p_wire_radius)) * _s36)), 1.0, 0.0));
-    const double _s38 = choose(_s19, _s37, choose((fabs(_s18) <= _s36), 1.0, _s37));
-    return {choose(_s33, _s20, choose((0.0 <= _s32), _s20, 0.0)), choose(_s33, _s38, choose((fabs(_s32) <= _s36), 1.0, _s38))};
+    const bool _s37 = fabs(_s3) <= (((4.0 * p_ball_radius) + (4.0 * p_wire_radius)) * _s36);
+    const double _s38 = choose(_s4, choose(_s37, 0.0, 1.0), choose(_s37, 1.0, 0.0));
+    const bool _s39 = fabs(_s18) <= _s36;
+    const double _s40 = choose(_s19, choose(_s39, _s38, 1.0), choose(_s39, 1.0, _s38));
+    const bool _s41 = fabs(_s32) <= _s36;
+    return {choose(_s33, _s20, choose((0.0 <= _s32), _s20, 0.0)), choose(_s33, choose(_s41, _s40, 1.0), choose(_s41, 1.0, _s40))};
 }
 
 /* Whether the ball starts near a surface; otherwise its start is valid and decided.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation e60270a326e07e99,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 1a2afd0b5b720af3,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -550,8 +550,8 @@ _k50 = _scalar(0.5)
 _k51 = _scalar(1.0)
 _k52 = _scalar(2.0)
 _k53 = _scalar(1.7763568394002505e-15)
-_k54 = _float64(4.0)
-_k55 = _float64(1.7763568394002505e-15)
+_k54 = _float64(1.7763568394002505e-15)
+_k55 = _float64(4.0)
 _k56 = _scalar(8.0)
 _k57 = _float64(8.0)
 _k58 = _float64(2.9802322387695312e-08)
@@ -990,9 +990,9 @@ def parameters_in_range(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: A
 def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """1 if the ball overlaps no surface; 1 if that is undecided.
 
-    Table 2. 111 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 23 selections.
+    Table 2. 114 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 26 selections.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29 = _room[:30]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30 = _room[:31]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = p_ball_radius + p_wire_radius
@@ -1030,9 +1030,12 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s34 = ((((_absolute(p_board_bottom) + _absolute(p_board_top)) + _absolute(p_ball_radius)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(p_board_distance)
     _s35 = _add(_add(((_s34 + _absolute(p_board_half_width)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth), _absolute(x, _r28), _r28), _absolute(y, _r29), _r29)
     _s36 = _multiply(_k53, _add(_s35, _absolute(z, _r28), _r28), _r28)
-    _s37 = _select(_s4, _k7, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29), _k51, _k7, _r29), _r0)
-    _s38 = _select(_s19, _s37, _select(_absolute(_s18, _r14) <= _s36, _k51, _s37, _r14), _r13)
-    return _result(_s33, _s20, _select(_k7 <= _s32, _s20, _k7, _r12), _r0), _result(_s33, _s38, _select(_absolute(_s32, _r27) <= _s36, _k51, _s38, _r27), _r0)
+    _s37 = _absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29)
+    _s38 = _select(_s4, _select(_s37, _k7, _k51, _r29), _select(_s37, _k51, _k7, _r0), _r30)
+    _s39 = _absolute(_s18, _r14) <= _s36
+    _s40 = _select(_s19, _select(_s39, _s38, _k51, _r14), _select(_s39, _k51, _s38, _r13), _r12)
+    _s41 = _absolute(_s32, _r11) <= _s36
+    return _result(_s33, _s20, _select(_k7 <= _s32, _s20, _k7, _r27), _r0), _result(_s33, _select(_s41, _s40, _k51, _r27), _select(_s41, _k51, _s40, _r16), _r0)
 
 
 def aside(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3544,7 +3547,7 @@ def _ring_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, positi
 def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = vz * vz
     _s1 = (vx * vx) + (vy * vy)
-    _s2 = ((_k43 * _s0) + ((_k54 * p_gravity) * z)) + (_k43 * _s1)
+    _s2 = ((_k43 * _s0) + ((_k55 * p_gravity) * z)) + (_k43 * _s1)
     _s3 = (x * vy) - (y * vx)
     _s4 = _s3 * _s3
     _s5 = (_k43 * p_ring_radius) * _s4
@@ -3556,16 +3559,16 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
     _s12 = _k1 / p_gravity
     _s13 = _root(_s11)
-    _s14 = _k55 * (abs(vz) + _s13)
+    _s14 = _k54 * (abs(vz) + _s13)
     _s15 = _k2 <= _s11
     _s16 = (_s12 * ((vz - _s13) - _s14)) if _s15 else _k10
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = (_k55 * _s1) * (_s18 + _s6)
+    _s19 = (_k54 * _s1) * (_s18 + _s6)
     _s20 = ((_s18 * _s1) + _s19) - _s4
     _s21 = (x * vx) + (y * vy)
     _s22 = _root(_s20)
-    _s23 = _k55 * ((abs(_s21) + abs(_s3)) + _s22)
+    _s23 = _k54 * ((abs(_s21) + abs(_s3)) + _s22)
     _s24 = _k1 / _s1
     _s25 = _k2 <= _s20
     _s26 = _k119 < _s1
@@ -3667,7 +3670,7 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s23 = (_s16 + _s17) - energy2
     _s24 = _s20 < _k2
     _s25 = _k43 * _s22
-    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k54 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
+    _s26 = _k10 if (_k2 < (_s22 if (_k2 <= _s20) else _k2)) else ((_s25 if _s24 else (_k55 * _s20)) / ((-_s20) if _s24 else (_s23 if _k2 < _s23 else _k2)))
     _s27 = end - t
     _s28 = _s26 if _s26 < _s27 else _s27
     _s29 = _s19 + ((_s28 * (_k2 if _s13 < _k2 else _s13)) + _s8)

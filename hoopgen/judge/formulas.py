@@ -10,7 +10,6 @@ import sympy as sp
 
 from hoopgen.derive.contact.no_slip import NoSlip
 from hoopgen.derive.rolling.settling import small_hop
-from hoopgen.derive.rolling.surface_kernels import allows_rolling
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.scenes.validity import condition_scales, size_limits, without_assumptions
@@ -199,9 +198,7 @@ def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFor
         impact,
         restitution,
         tuple(ends),
-        scene.rolls
-        and face < len(scene.surfaces)
-        and allows_rolling(scene.surfaces[face], scene.flight),
+        face < len(scene.surfaces) and scene.allows_rolling(scene.surfaces[face]),
     )
 
 

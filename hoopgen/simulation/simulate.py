@@ -69,8 +69,9 @@ def simulate(
         The surface that each shot touches at the start, whatever the last digits of its position
         say: a name in `Shots.surfaces`, its index, or -1 for none; one for all or (n,). To begin
         on a body, where the ball rolls at once if it can, or to go on from recorded `after` states.
-        In a scene with rolling the ball is put onto the surface. A shot is INVALID if the ball is
-        off it by more than 1/1024 of its radius, or inside another surface that it touches, too.
+        Where a ball can roll it is put onto the surface; elsewhere a shot is uncertain if the ball
+        is off the surface by more than roundings. A shot is INVALID if it is off by more than
+        1/1024 of the ball's radius, or the ball is inside another surface that it touches, too.
     settle
         Whether to let `certify` decide the uncertain shots, which then are not; needs the extra
         "certify". A true tie, an exact touch or an exact edge stays uncertain.

@@ -90,6 +90,11 @@ starts = {
         ),
     )
 }
+off_body = OfEngine(
+    test_starts_on_bodies.check_balls_off_a_body,
+    given=((test_starts_on_bodies.falling(60),),),
+    scene=test_starts_on_bodies.FUNNEL,
+)
 on_edge = OfFormulas(
     test_jump.test_at_an_edge_the_velocity_is_off_by_the_change_of_the_force_times_the_delay,
 )
@@ -329,6 +334,18 @@ FAULTS = (
         "a ball may be inside other surfaces of the body that it leaves",
         in_text(validity, "left_surface", "sp.Rational(len(own), 2)", "sp.Rational(1, 2)"),
         starts["a_ball_leaves_the_surface_of_a_body_that_it_touches"],
+    ),
+    Planted(
+        "a ball may be off the surface that it leaves, where none puts it on",
+        in_text(
+            validity, "_with_surface", "rounding, undecided, 1)", "rounding, undecided, undecided)"
+        ),
+        off_body,
+    ),
+    Planted(
+        "a ball is on all surfaces of the body that it leaves",
+        in_text(validity, "_with_surface", "if several and not is_put_on", "if False"),
+        off_body,
     ),
     Planted(
         "a surface takes no ball over nearly",

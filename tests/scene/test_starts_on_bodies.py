@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ pytest.importorskip("flint")
 import hoopgen
 from benchmarks.workloads import free_throw
 from hoopgen import Event
+from hoopgen.core.backend_names import BackendName
 from hoopgen.judge import certify
 from hoopgen.scene import (
     Cone,
@@ -100,6 +102,17 @@ CURVED = Scene(
     rolls=True,
 )
 """A body of each curvature that a ball can roll on, far from one another."""
+
+
+SPHERES = Scene(
+    "spheres_that_nothing_rolls_on",
+    bodies=[Sphere(f"dome_{k}", centre=(k, 0, 0), radius=RADIUS) for k in range(3)],
+    ball_radius=BALL,
+    gravity=GRAVITY,
+    restitution=0.4,
+    ends={"past": End(at=-2)},
+)
+"""Bodies of one kind."""
 
 
 def _of_length_one(way: list[float]) -> NDArray[np.float64]:
@@ -483,6 +496,49 @@ def test_a_ball_on_the_wall_of_a_golf_hole_rolls_whatever_the_last_digits_of_its
     shot = hoopgen.simulate(start, scene=golf, leaving="cup")
     assert shot.outcome[0] == golf.outcomes["HOLED"]
     assert (shot.contacts[0], shot.rolls[0], shot.uncertain[0]) == (0, 1, False)
+
+
+def check_balls_off_a_body(
+    engine: Engine, states: NDArray[np.float64], backend: BackendName = "auto"
+) -> None:
+    """Balls leave bodies as they have met them, and some distance off."""
+    given: dict[str, Any] = {"scene": engine, "backend": backend}
+    events = hoopgen.simulate(states, record=True, max_contacts=4, **given).events
+    events = events[events["kind"] == Event.IMPACT]
+    assert len(set(events["surface"])) > 1
+    way = events["after"][:, 3:6] - events["before"][:, 3:6]
+    way /= np.linalg.norm(way, axis=1, keepdims=True)
+    given |= {"leaving": events["surface"], "max_contacts": 1}
+    on = hoopgen.simulate(events["after"], **given)
+    assert np.mean(on.uncertain) < 0.05
+    for off in (1e-12, -1e-12, 1e-9, 1e-6):
+        moved = events["after"].copy()
+        moved[:, :3] += off * way
+        shots = hoopgen.simulate(moved, **given)
+        assert np.all(shots.uncertain)
+        assert np.mean(shots.outcome == on.outcome) > 0.9
+    settled = hoopgen.simulate(moved, settle=True, **given)
+    assert np.mean(settled.uncertain) < 0.05
+
+
+def falling(count: int, reach: float = 0.15) -> NDArray[np.float64]:
+    """Return states of balls that fall onto the funnel, or onto other bodies that reach further."""
+    rng = np.random.default_rng(12)
+    states = np.zeros((count, 9))
+    states[:, 0], states[:, 2] = rng.uniform(-0.1, reach, count), rng.uniform(0.5, 1, count)
+    states[:, 3:5] = rng.normal(0, 0.1, (count, 2))
+    return states
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+@pytest.mark.parametrize("scene", [hoopgen.HOOP, FUNNEL, SPHERES], ids=["hoop", "funnel", "domes"])
+def test_a_ball_off_a_body_that_it_leaves_where_none_rolls_is_uncertain(
+    scene: Any, backend: BackendName
+) -> None:
+    """Nothing says which of them is where it is; the judge takes it to be the ball."""
+    throw = {"hoop": free_throw, FUNNEL.name: falling, SPHERES.name: partial(falling, reach=2.1)}
+    engine = hoopgen.compile(scene)
+    check_balls_off_a_body(engine, throw[engine.name](trials(100, at_least=60)), backend)
 
 
 def test_a_shot_goes_on_from_where_a_ball_has_left_a_body() -> None:
