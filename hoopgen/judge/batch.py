@@ -38,6 +38,7 @@ from .formulas import formulas
 from .proof import UNDECIDED, Proof, ProvedEvent, doubles, enclosure
 from .proof_task import ProofTask
 from .roots import Undecided
+from .taylor_model import Number
 
 FIRST_BITS = 128
 MAX_BITS = 4096
@@ -79,9 +80,10 @@ def certify(
 
     Every shot is flown from its exact doubles, with twice as many bits each time, until every
     decision (is there an arrival, which is first, is it within the bounds, is it made) is proved,
-    and the final time and state are known to more than a double's digits. A true tie, an exact
-    touch or an exact edge is undecidable at any precision and reported as such. In a scene where
-    balls roll, impacts are proved until bounces accumulate: no outcome is proved of such a shot.
+    and the final time and state are known to more than a double's digits. An event that is proved
+    to be the first is only located with more digits then. A true tie, an exact touch or an exact
+    edge is undecidable at any precision and reported as such. In a scene where balls roll, impacts
+    are proved until bounces accumulate: no outcome is proved of such a shot.
 
     Most shots of a batch of 128 or more are proved at once, with NumPy, on `HOOP` and other scenes
     of rings and planes without air, slip and rolling, if `record` is false and the ball starts on
@@ -211,17 +213,18 @@ class _SingleTask(ProofTask):
     def prove(self, state: Sequence[float], parameters: Sequence[float], leaving: int) -> Proof:
         """Prove one shot with the fewest doublings of precision."""
         bits, own, most = FIRST_BITS, formulas(self.scene), self.max_contacts
+        known: Sequence[tuple[int, Number]] = ()
         while True:
             with ctx.workprec(bits):
                 question = ""
                 try:
-                    flown = fly(own, state, parameters, most, leaving, self.time_limit)
+                    flown = fly(own, state, parameters, most, leaving, self.time_limit, known)
                 except Undecided as undecided:
                     question, flown = undecided.args
                 last = 2 * bits > self.max_bits
                 if last or (not question and (self._invalid(flown) or _accurate(flown))):
                     return self._proof(flown, bits, question)
-            bits *= 2
+            bits, known = 2 * bits, flown.found
 
     def _invalid(self, flown: ProvedFlight) -> bool:
         return flown.outcome == self.scene.outcomes["invalid"]

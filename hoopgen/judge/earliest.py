@@ -88,19 +88,16 @@ def first_on_piece(
         arrivals[end], latest = Arrival(piece.span), piece.span
     if remaining is not None and open_ended:
         arrivals[limit], latest = Arrival(remaining), latest.min(remaining.upper())
-    for k in formulas.order:
-        zeros = vanishing if k == last else 0
-        arrival = arrival_at(formulas, k, piece.in_balls, values, zeros, latest)
-        if arrival is not None and piece.has_models:
-            # What balls rule out is ruled out; what they do not, models may.
-            closer = arrival_at(formulas, k, piece, values, zeros, latest)
-            arrival = (
-                arrival if closer is not None and not closer.certain and arrival.certain else closer
-            )
-        if arrival is not None:
-            arrivals[k] = arrival
-            if arrival.certain and arrival.time < latest:
-                latest = arrival.time.upper()
+    for parts in formulas.order:
+        if last not in parts and _is_missed(formulas, parts, piece, values, latest):
+            continue
+        for k in parts:
+            zeros = vanishing if k == last else 0
+            arrival = _arrival(formulas, k, piece, values, zeros, latest)
+            if arrival is not None:
+                arrivals[k] = arrival
+                if arrival.certain and arrival.time < latest:
+                    latest = arrival.time.upper()
     if not arrivals:
         return None
     certain = [k for k, arrival in arrivals.items() if arrival.certain]
@@ -121,6 +118,26 @@ def first_on_piece(
             raise
         return end, skipped
     return best, arrivals[best].time
+
+
+def _arrival(
+    formulas: Formulas, k: int, piece: Piece, values: list[arb], zeros: int, latest: arb
+) -> Arrival | None:
+    """Return the first arrival at a surface, None if balls or models rule it out."""
+    arrival = arrival_at(formulas, k, piece.in_balls, values, zeros, latest)
+    if arrival is None or not piece.has_models:
+        return arrival
+    closer = arrival_at(formulas, k, piece, values, zeros, latest)
+    return arrival if closer is not None and not closer.certain and arrival.certain else closer
+
+
+def _is_missed(
+    formulas: Formulas, parts: Sequence[int], piece: Piece, values: list[arb], latest: arb
+) -> bool:
+    """Return whether a flight certainly misses a body of several parts up to a time."""
+    if len(parts) < 2 or piece.has_models or not latest.is_finite():
+        return False
+    return misses_body(formulas, parts[0], piece, values, 0.0, -_float_below(-latest))
 
 
 def _drop_missed(

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import TypeAlias
 
 from flint import arb
 
@@ -18,7 +19,7 @@ from hoopgen.derive.scenes.passage import FALLEN
 
 from . import passage
 from .accumulation import Hops
-from .arrivals import holds
+from .arrivals import arrival_at, holds
 from .earliest import clear_time, first_on_piece
 from .error_set import condensed
 from .formulas import Formulas, SurfaceFormulas
@@ -26,6 +27,9 @@ from .pieces import Piece, meets_nothing, next_piece
 from .roots import Undecided
 from .taylor_model import Number, TaylorModel, as_model, ball
 from .validity import valid
+
+Found: TypeAlias = tuple[int, Number, list[Number], list[tuple[Piece, Number]]]
+"""Surface, time and state of an event, and the pieces of the flight until then."""
 
 _RESTARTS = 4
 """Times that a box of flights is followed from a later state on, before it is undecided."""
@@ -47,6 +51,8 @@ class ProvedFlight:
 
     Attributes
     ----------
+    found
+        Of each event the number of its surface, and the time since the event before it.
     hops
         Of a ball whose bounces accumulate: the index of the first event of them; else -1. It has no
         outcome then.
@@ -56,6 +62,7 @@ class ProvedFlight:
     time: Number
     state: list[Number]
     events: list[Event] = field(default_factory=list)
+    found: list[tuple[int, Number]] = field(default_factory=list)
     hops: int = -1
 
 
@@ -66,6 +73,7 @@ def fly(
     max_contacts: int,
     leaving: int = -1,
     time_limit: float = math.inf,
+    known: Sequence[tuple[int, Number]] = (),
 ) -> ProvedFlight:
     """Return the shot's events and outcome, all proved at the current precision.
 
@@ -86,6 +94,9 @@ def fly(
         The body that the ball leaves at the start, or -1.
     time_limit
         The time limit, s.
+    known
+        The first events of this very shot, as `ProvedFlight.found`, proved at a lower precision:
+        which surface comes first is not asked again, and when it does only within that time.
 
     Raises
     ------
@@ -98,7 +109,7 @@ def fly(
     try:
         if not valid(formulas, now, values, leaving):
             return ProvedFlight(formulas.outcomes["invalid"], arb.nan(), [arb.nan()] * len(now))
-        _follow(formulas, values, max_contacts, leaving, time_limit, flown)
+        _follow(formulas, values, max_contacts, leaving, time_limit, known, flown)
     except Undecided as question:
         raise Undecided(question.args[0], flown) from None
     return flown
@@ -110,6 +121,7 @@ def _follow(
     max_contacts: int,
     leaving: int,
     time_limit: float,
+    known: Sequence[tuple[int, Number]],
     flown: ProvedFlight,
 ) -> None:
     """Add event after event."""
@@ -128,10 +140,15 @@ def _follow(
         # How many low coefficients of the event polynomial of the last surface vanish.
         vanishing = 2 if flown.events and _stops(formulas.surfaces[last], flown, values) else 1
         remaining = None if math.isinf(time_limit) else arb(time_limit) - flown.time
-        found = _next(formulas, start, values, last, vanishing, remaining)
+        found = None
+        if len(flown.events) < len(known):
+            expected = known[len(flown.events)]
+            found = _again(formulas, start, values, last, vanishing, expected)
+        found = found or _next(formulas, start, values, last, vanishing, remaining)
         if found is None:
             return
         last, time, before, legs = found
+        flown.found.append((last, time))
         if sizes is not None:
             through = _through(through, sizes, legs, before)
         timed = last == len(formulas.surfaces)
@@ -248,6 +265,29 @@ def _crossing_outcome(
     raise AssertionError(f"the ball crosses the plane {plane.name} where there is no end")
 
 
+def _again(
+    formulas: Formulas,
+    state: list[Number],
+    values: list[arb],
+    last: int,
+    vanishing: int,
+    expected: tuple[int, Number],
+) -> Found | None:
+    """Return an event that is known to be the first, at the present precision.
+
+    None if it cannot be found so, as in a flight of several pieces, or at the time limit.
+    """
+    surface, time = expected
+    if formulas.air is not None or surface >= len(formulas.surfaces):
+        return None
+    piece = next_piece(formulas, state, values)
+    zeros = vanishing if surface == last else 0
+    arrival = arrival_at(formulas, surface, piece, values, zeros, ball(time).upper())
+    if arrival is None or not arrival.certain:
+        return None
+    return surface, arrival.time, piece.at(arrival.time), [(piece, arrival.time)]
+
+
 def _next(
     formulas: Formulas,
     state: list[Number],
@@ -255,7 +295,7 @@ def _next(
     last: int,
     vanishing: int,
     remaining: Number | None,
-) -> tuple[int, Number, list[Number], list[tuple[Piece, Number]]] | None:
+) -> Found | None:
     """Return surface, time and state of the certainly earliest arrival, and the pieces until then.
 
     None if there is none. The time limit, `remaining` from now, counts as the last surface.

@@ -114,7 +114,8 @@ class Formulas:
     outcomes
         The number of each outcome by name.
     order
-        In which they are searched: planes first, whose arrivals then limit the others' search.
+        In which they are searched, by body: planes first, whose arrivals then limit the others'
+        search, and bodies of many parts last.
     flight
         (state, parameters, (time,)) to position and velocity, on a parabola; None through air.
     air
@@ -142,7 +143,7 @@ class Formulas:
     open_ended: bool
     without_slip: bool
     outcomes: dict[str, int]
-    order: tuple[int, ...]
+    order: tuple[tuple[int, ...], ...]
     flight: Function | None
     air: AirFormulas | None
     hop: Function | None
@@ -222,6 +223,13 @@ def _hop(scene: Scene) -> Function | None:
     return compile_expressions(sides, (*POSITION, *VELOCITY, *SPIN), scene.symbols, NORMAL)
 
 
+def _order(surfaces: Sequence[SurfaceFormulas]) -> tuple[tuple[int, ...], ...]:
+    bodies: dict[int, list[int]] = {}
+    for k in sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0):
+        bodies.setdefault(surfaces[k].face, []).append(k)
+    return tuple(sorted(map(tuple, bodies.values()), key=lambda parts: len(parts) > 1))
+
+
 @cache
 def formulas(scene: Scene = HOOP) -> Formulas:
     """Return the scene's formulas, compiled once."""
@@ -253,7 +261,7 @@ def formulas(scene: Scene = HOOP) -> Formulas:
         scene.open_ended,
         all(isinstance(body.law, NoSlip) for body in scene.bodies),
         scene.outcomes,
-        tuple(sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0)),
+        _order(surfaces),
         _parabola(scene),
         None if scene.air is None else air_formulas(scene),
         _hop(scene),

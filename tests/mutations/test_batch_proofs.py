@@ -13,16 +13,24 @@ from hoopgen.judge import (
     ball_array,
     batch_flight,
     batch_proofs,
+    earliest,
     error_set_array,
     first_events,
     first_roots,
+    flight,
     model_array,
 )
 from hoopgen.judge.ball_array import BallArray
 from hoopgen.judge.model_array import ModelArray
 from tests.helpers.checked_faults import OfFormulas, Planted, passing, tripping
 from tests.helpers.mutants import in_text
-from tests.judge import test_ball_array, test_batch_flight, test_first_roots, test_model_array
+from tests.judge import (
+    test_ball_array,
+    test_batch_flight,
+    test_first_roots,
+    test_model_array,
+    test_single_proofs,
+)
 
 pytestmark = pytest.mark.xdist_group("batch_mutations")
 
@@ -69,6 +77,10 @@ known = each(test_batch_flight.test_final_times_and_states_are_known_to_more_tha
 invalid = each(
     test_batch_flight.test_what_is_invalid_has_no_end_or_no_restitution_is_left_to_others
 )
+again = each(
+    test_single_proofs.test_events_that_are_known_are_found_again_with_more_digits, "hoop", "court"
+)
+left_out = each(test_single_proofs.check_bodies_that_are_left_out)
 
 
 def _open_parts_have_no_root(patch: pytest.MonkeyPatch) -> None:
@@ -376,6 +388,17 @@ FAULTS = (
         "a ball may start inside a body",
         in_text(batch_flight, "surely_valid", "sure &= np.any", "np.any"),
         invalid,
+    ),
+    # Short cuts of single proofs.
+    Planted(
+        "of the events that are known the one before is meant",
+        in_text(flight, "_follow", "known[len(flown.events)]", "known[len(flown.events) - 1]"),
+        again,
+    ),
+    Planted(
+        "a body is missed that is at the start",
+        in_text(earliest, "_is_missed", "-_float_below(-latest)", "2.0**-20"),
+        left_out,
     ),
 )
 

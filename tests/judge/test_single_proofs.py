@@ -1,0 +1,102 @@
+"""Proofs of single shots take short cuts: they find the same events."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import pytest
+
+pytest.importorskip("flint")
+
+from flint import ctx
+from hoopgen.derive.scenes import COURT, HOOP
+from hoopgen.derive.scenes.scene import Scene
+
+import hoopgen
+from benchmarks.workloads import bouncing, free_throw, swirl
+from hoopgen.judge import earliest
+from hoopgen.judge.flight import ProvedFlight, fly
+from hoopgen.judge.formulas import formulas
+from hoopgen.judge.roots import Undecided
+from hoopgen.judge.taylor_model import Number
+from tests.helpers.effort import trials
+
+SCENES = {"hoop": (HOOP, hoopgen.HOOP, 40), "court": (COURT, hoopgen.COURT, 30)}
+
+Known = Sequence[tuple[int, Number]]
+
+
+def shots(count: int) -> list[list[float]]:
+    """Return releases that bounce on the ring and on the board."""
+    states = np.concatenate([make(count) for make in (free_throw, bouncing, swirl)])
+    return [[*map(float, state)] for state in states]
+
+
+def flown(name: str, state: Sequence[float], bits: int, known: Known = ()) -> ProvedFlight:
+    """Return what is proved of a shot at a precision."""
+    scene, compiled, most = SCENES[name]
+    values = [float(value) for value in inputs(scene, compiled)]
+    with ctx.workprec(bits):
+        try:
+            return fly(formulas(scene), state, values, most, known=known)
+        except Undecided as undecided:
+            found: ProvedFlight = undecided.args[1]
+            return found
+
+
+def inputs(scene: Scene, compiled: Any) -> list[float]:
+    """Return the kernels' inputs for the scene's usual parameters."""
+    return [compiled.parameters[parameter.name] for parameter in scene.parameters]
+
+
+def check_same(one: ProvedFlight, other: ProvedFlight) -> None:
+    """Both have the same events, at times and with states that overlap."""
+    assert one.outcome == other.outcome
+    assert len(one.events) == len(other.events)
+    for here, there in zip(one.events, other.events, strict=True):
+        assert here.surface == there.surface
+        assert here.time.overlaps(there.time)
+        pairs = zip(here.after, there.after, strict=True)
+        assert all(one.overlaps(other) for one, other in pairs)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_events_that_are_known_are_found_again_with_more_digits(name: str) -> None:
+    again = 0
+    for state in shots(trials(20, at_least=4)):
+        coarse = flown(name, state, 128)
+        fine = flown(name, state, 512)
+        found = flown(name, state, 512, coarse.found)
+        check_same(found, fine)
+        again += len(coarse.found)
+        for (surface, time), (same, better) in zip(coarse.found, found.found, strict=False):
+            assert surface == same
+            assert better.overlaps(time)
+            assert better.rad() < time.rad()
+    assert again > 20
+
+
+def check_bodies_that_are_left_out() -> None:
+    """The same is proved if no body is left out of the search."""
+    states = shots(trials(20, at_least=4))
+    quick = [flown("court", state, 256) for state in states]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(earliest, "_is_missed", lambda *_: False)
+        for shot, state in zip(quick, states, strict=True):
+            check_same(shot, flown("court", state, 256))
+    assert len({event.surface for shot in quick for event in shot.events}) > 2
+
+
+def test_bodies_of_many_parts_that_are_left_out_are_missed(monkeypatch: pytest.MonkeyPatch) -> None:
+    left_out: list[bool] = []
+    is_missed = earliest._is_missed
+
+    def count(*given: Any) -> bool:
+        left_out.append(is_missed(*given))
+        return left_out[-1]
+
+    monkeypatch.setattr(earliest, "_is_missed", count)
+    check_bodies_that_are_left_out()
+    assert sum(left_out) > len(left_out) / 4
