@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from flint import arb
 
-from .arrivals import arrival_at
+from .arrivals import arrival_at, holds
 from .clear_flight import clear_until, misses_body
 from .formulas import Formulas
 from .pieces import Piece
@@ -91,7 +91,7 @@ def first_on_piece(
     for parts in formulas.order:
         if last not in parts and _is_missed(formulas, parts, piece, values, latest):
             continue
-        for k in parts:
+        for k in _reached(formulas, parts, piece, values, last, latest):
             zeros = vanishing if k == last else 0
             arrival = _arrival(formulas, k, piece, values, zeros, latest)
             if arrival is not None:
@@ -138,6 +138,25 @@ def _is_missed(
     if len(parts) < 2 or piece.has_models or not latest.is_finite():
         return False
     return misses_body(formulas, parts[0], piece, values, 0.0, -_float_below(-latest))
+
+
+def _reached(
+    formulas: Formulas,
+    parts: Sequence[int],
+    piece: Piece,
+    values: list[arb],
+    last: int,
+    latest: arb,
+) -> Iterator[int]:
+    """Yield the parts of a body, but for those within whose bounds no flight certainly comes."""
+    if len(parts) < 2 or piece.has_models or not latest.is_finite():
+        yield from parts
+        return
+    there = piece.at(arb(0).union(latest))
+    for k in parts:
+        patches = formulas.surfaces[k].patches
+        if k == last or any(holds(patch, there, values) is not False for patch in patches):
+            yield k
 
 
 def _drop_missed(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,7 @@ import hoopgen
 from benchmarks.workloads import bouncing, free_throw, swirl
 from hoopgen.judge import earliest
 from hoopgen.judge.flight import ProvedFlight, fly
-from hoopgen.judge.formulas import formulas
+from hoopgen.judge.formulas import Formulas, formulas
 from hoopgen.judge.roots import Undecided
 from hoopgen.judge.taylor_model import Number
 from tests.helpers.effort import trials
@@ -79,11 +79,12 @@ def test_events_that_are_known_are_found_again_with_more_digits(name: str) -> No
 
 
 def check_bodies_that_are_left_out() -> None:
-    """The same is proved if no body is left out of the search."""
+    """The same is proved if no body, and no part of one, is left out of the search."""
     states = shots(trials(20, at_least=4))
     quick = [flown("court", state, 256) for state in states]
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(earliest, "_is_missed", lambda *_: False)
+        patch.setattr(earliest, "_reached", lambda _, parts, *_rest: iter(parts))
         for shot, state in zip(quick, states, strict=True):
             check_same(shot, flown("court", state, 256))
     assert len({event.surface for shot in quick for event in shot.events}) > 2
@@ -91,12 +92,20 @@ def check_bodies_that_are_left_out() -> None:
 
 def test_bodies_of_many_parts_that_are_left_out_are_missed(monkeypatch: pytest.MonkeyPatch) -> None:
     left_out: list[bool] = []
-    is_missed = earliest._is_missed
+    shares: list[float] = []
+    is_missed, reached = earliest._is_missed, earliest._reached
 
     def count(*given: Any) -> bool:
         left_out.append(is_missed(*given))
         return left_out[-1]
 
+    def share(formulas: Formulas, parts: Sequence[int], *given: Any) -> Iterator[int]:
+        found = [*reached(formulas, parts, *given)]
+        shares.append(len(found) / len(parts))
+        return iter(found)
+
     monkeypatch.setattr(earliest, "_is_missed", count)
+    monkeypatch.setattr(earliest, "_reached", share)
     check_bodies_that_are_left_out()
     assert sum(left_out) > len(left_out) / 4
+    assert min(shares) < 0.3

@@ -400,6 +400,11 @@ FAULTS = (
         in_text(earliest, "_is_missed", "-_float_below(-latest)", "2.0**-20"),
         left_out,
     ),
+    Planted(
+        "a part is left out within whose bounds the ball may come",
+        in_text(earliest, "_reached", "is not False", "is True"),
+        left_out,
+    ),
 )
 
 test_without_a_fault_every_check_passes = passing(FAULTS)
