@@ -260,13 +260,13 @@ def _contact_decisions(
                             ),
                             edge,
                         ),
-                        Not(all_of(Less(0, assured), Equal(which, last))),
+                        Not(all_of(Less(0, assured), Equal(which, last), bounded)),
                     ),
                     1,
                     uncertain,
                 )
             },
-            "1 if a decision lies within its error, unless it only delays bounces on one surface.",
+            "1 if a decision lies within its error, unless that only delays bounces on a surface.",
         ),
         decision("holding", {"here": Equal(held, index)}, "Whether the ball stays on a surface."),
         decision(

@@ -62,10 +62,11 @@ def valid(scene: Scene, tabled: Set[int]) -> dict[str, sp.Expr]:
     """Return whether a ball can start at a finite position, and whether that is undecided.
 
     A ball is inside a surface if the largest of the surface's `inside` is negative; it is undecided
-    if that is within the rounding of its evaluation. Of the surface that the ball leaves it must be
-    within that rounding: then the ball is on it, as after a contact. Further off, an arrival there
-    depends on whether the ball or the surface is taken to be where it is, and the shot is
-    undecided. Where a ball rolls it is put onto the surface (`rolling/start.py`).
+    if that is within the rounding of its evaluation. From the surface that the ball leaves it must
+    have no more distance than that, and be within the bounds: then the ball is on it, as after a
+    contact. Further off, and behind it, an arrival there depends on whether the ball or the surface
+    is taken to be where it is, and the shot is undecided. Where a ball rolls it is put onto the
+    surface (`rolling/start.py`).
 
     **Lemma (start).** Let s be 16 u times the sum S of the sizes of coordinates and lengths. In
     `HOOP` and `COURT`, an `inside` that is larger than s in size, for the ring 4 R s, has the right
@@ -235,9 +236,12 @@ def _with_surface(
     own = left_reach if several else sp.Rational(1, 2)
     rounding = barrier(without_assumptions(surface.steepness)) * slack
     near = IfAtMost(absolute(overlap), rounding, 1, undecided)
-    off = undecided if is_put_on else IfAtMost(absolute(overlap), rounding, undecided, 1)
-    if several and not is_put_on:  # the ball is on one surface of the body
-        off = IfLess(absolute(last - index), sp.Rational(1, 2), off, undecided)
+    off = undecided
+    if not is_put_on:
+        distance = barrier(absolute(barrier(without_assumptions(surface.distance))))
+        off = IfAtMost(distance, slack, IfAtMost(overlap, rounding, undecided, 1), 1)
+        if several:  # the ball is on one surface of the body
+            off = IfLess(absolute(last - index), sp.Rational(1, 2), off, undecided)
     return (
         IfLess(left, own, verdict, IfAtMost(0, overlap, verdict, 0)),
         IfLess(left, own, off, near),

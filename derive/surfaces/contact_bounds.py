@@ -126,6 +126,8 @@ def at_contact(
 ) -> tuple[sp.Expr, ...]:
     """Return bounds of the point of contact as bounds of the ball's centre, as lengths.
 
+    Those that hold wherever the ball is are left out, as some do at the apex of a cone.
+
     Parameters
     ----------
     bounds
@@ -139,4 +141,5 @@ def at_contact(
     # R (1/R + kappa): the number 1 in a sum would count as a length of the scene.
     bend = barrier(barrier(1 / ball_radius) + barrier(surface.curvature))
     stretch = barrier(barrier(ROUNDINGS * ball_radius) * bend)
-    return tuple(barrier(as_length(bound).xreplace(there)) / stretch for bound in bounds)
+    lengths = (as_length(bound).xreplace(there) for bound in bounds)
+    return tuple(barrier(g) / stretch for g in lengths if not g.is_nonpositive or g.free_symbols)

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation dbdf4b87ee6d0a5a,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 9825af665afe78b0,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -2387,16 +2387,16 @@ LANES(court_resumed)(V last, V position_error, V velocity_error, V clock, V mode
     return (LANES(court_resumed_out)){ lanes_select(lanes_equal(mode, K(5.0)), last, K(-1.0)), K(0.0), clock, lanes_select(lanes_both(lanes_less(position_error, K(INFINITY)), lanes_less(velocity_error, K(INFINITY))), K(INFINITY), K(0.0)), lanes_equal(mode, K(1.0)), lanes_equal(mode, K(2.0)), lanes_equal(mode, K(3.0)), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
-/* 1 if a decision lies within its error, unless it only delays bounces on one surface.
-   Table 1. 12 operations: 1 addition, 4 comparisons, 3 conjunctions, 1 disjunction, 2 complements, 1 selection. */
+/* 1 if a decision lies within its error, unless that only delays bounces on a surface.
+   Table 1. 16 operations: 1 addition, 6 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 1 selection. */
 typedef struct {
     V uncertain;
 } LANES(court_contact_undecided_out);
 
 LANES_INLINE LANES(court_contact_undecided_out)
-LANES(court_contact_undecided)(V last, V when, V which, V earliest_delay, V undecided_time, V uncertain, M edge, V assured)
+LANES(court_contact_undecided)(V last, V when, V which, V earliest_delay, V undecided_time, V position_error, V velocity_error, V uncertain, M edge, V assured)
 {
-    const M _s0 = lanes_both(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(when, earliest_delay), undecided_time)), lanes_less(undecided_time, K(INFINITY))), edge), lanes_not(lanes_both(lanes_less(K(0.0), assured), lanes_equal(which, last))));
+    const M _s0 = lanes_both(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(when, earliest_delay), undecided_time)), lanes_less(undecided_time, K(INFINITY))), edge), lanes_not(lanes_both(lanes_both(lanes_less(K(0.0), assured), lanes_equal(which, last)), lanes_both(lanes_less(position_error, K(INFINITY)), lanes_less(velocity_error, K(INFINITY))))));
     return (LANES(court_contact_undecided_out)){ lanes_select(_s0, K(1.0), uncertain) };
 }
 

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation dbdf4b87ee6d0a5a,
+   Generated from templates/c/loop.h.j2, scene court, derivation 9825af665afe78b0,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -3631,7 +3631,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
 #endif
         }
 #if BOUNDED
-        CALL(court_contact_undecided, _contact_undecided_1)(last, when, which, earliest_delay, undecided_time, uncertain, edge, assured);
+        CALL(court_contact_undecided, _contact_undecided_1)(last, when, which, earliest_delay, undecided_time, position_error, velocity_error, uncertain, edge, assured);
         EACH(SET, _contact_undecided_1, uncertain)
 #endif
         CALL(court_accounted, _accounted_1)(contacts, most_contacts, reached, touches);
@@ -5379,7 +5379,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #endif
             }
 #if BOUNDED
-            CALL(court_contact_undecided, _contact_undecided_1)(last, when, which, earliest_delay, undecided_time, uncertain, edge, assured);
+            CALL(court_contact_undecided, _contact_undecided_1)(last, when, which, earliest_delay, undecided_time, position_error, velocity_error, uncertain, edge, assured);
             EACH(SET, _contact_undecided_1, uncertain)
 #endif
             CALL(court_accounted, _accounted_1)(contacts, most_contacts, reached, touches);

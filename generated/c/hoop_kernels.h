@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 1a2afd0b5b720af3,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation d045c64f80c6d78c,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -246,52 +246,52 @@ LANES(hoop_parameters_in_range)(const LANES(column) *p, size_t row, V allowed)
 }
 
 /* 1 if the ball overlaps no surface; 1 if that is undecided.
-   Table 2. 86 operations: 8 additions, 13 subtractions, 6 multiplications, 1 square root, 3 negations, 9 absolute values, 20 comparisons, 26 selections. */
+   Table 2. 101 operations: 8 additions, 15 subtractions, 6 multiplications, 2 square roots, 3 negations, 12 absolute values, 26 comparisons, 29 selections. */
 typedef struct {
     V valid, undecided_time;
 } LANES(hoop_valid_out);
 
 LANES_INLINE LANES(hoop_valid_out)
-LANES(hoop_valid)(V last, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12)
+LANES(hoop_valid)(V last, V x, V y, V z, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10, V _c11, V _c12, V _c13, V _c14)
 {
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s1 = lanes_sub(_s0, _c0);
-    const V _s2 = lanes_sub(lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1)), _c7);
-    const M _s3 = lanes_less(lanes_abs(last), K(0.5));
-    const V _s4 = lanes_select(_s3, K(1.0), lanes_select(lanes_at_most(K(0.0), _s2), K(1.0), K(0.0)));
-    const V _s5 = lanes_sub(x, _c8);
-    const V _s6 = lanes_sub(_c9, x);
-    const V _s7 = lanes_max(_s5, _s6);
-    const V _s8 = lanes_neg(lanes_add(_c2, y));
-    const V _s9 = lanes_max(_s7, _s8);
-    const V _s10 = lanes_sub(y, _c2);
-    const V _s11 = lanes_max(_s9, _s10);
-    const V _s12 = lanes_sub(_c3, z);
-    const V _s13 = lanes_max(_s11, _s12);
-    const V _s14 = lanes_sub(z, _c4);
-    const V _s15 = lanes_max(_s13, _s14);
-    const M _s16 = lanes_less(lanes_abs(lanes_sub(last, K(1.0))), K(0.5));
-    const V _s17 = lanes_select(_s16, _s4, lanes_select(lanes_at_most(K(0.0), _s15), _s4, K(0.0)));
-    const V _s18 = lanes_sub(z, _c6);
-    const V _s19 = lanes_sub(_c10, z);
-    const V _s20 = lanes_max(_s18, _s19);
-    const V _s21 = lanes_neg(lanes_add(_c5, y));
-    const V _s22 = lanes_max(_s20, _s21);
-    const V _s23 = lanes_sub(y, _c5);
-    const V _s24 = lanes_max(_s22, _s23);
-    const V _s25 = lanes_sub(_c0, _s0);
-    const V _s26 = lanes_max(_s24, _s25);
-    const V _s27 = lanes_max(_s26, x);
-    const V _s28 = lanes_neg(lanes_add(_c1, x));
-    const V _s29 = lanes_max(_s27, _s28);
-    const M _s30 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
-    const V _s31 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_add(_c11, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
-    const M _s32 = lanes_at_most(lanes_abs(_s2), lanes_mul(_c12, _s31));
-    const V _s33 = lanes_select(_s3, lanes_select(_s32, K(0.0), K(1.0)), lanes_select(_s32, K(1.0), K(0.0)));
-    const M _s34 = lanes_at_most(lanes_abs(_s15), _s31);
-    const V _s35 = lanes_select(_s16, lanes_select(_s34, _s33, K(1.0)), lanes_select(_s34, K(1.0), _s33));
-    const M _s36 = lanes_at_most(lanes_abs(_s29), _s31);
-    return (LANES(hoop_valid_out)){ lanes_select(_s30, _s17, lanes_select(lanes_at_most(K(0.0), _s29), _s17, K(0.0))), lanes_select(_s30, lanes_select(_s36, _s35, K(1.0)), lanes_select(_s36, K(1.0), _s35)) };
+    const V _s1 = lanes_sub(_s0, _c1);
+    const V _s2 = lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1));
+    const V _s3 = lanes_sub(_s2, _c9);
+    const M _s4 = lanes_less(lanes_abs(last), K(0.5));
+    const V _s5 = lanes_select(_s4, K(1.0), lanes_select(lanes_at_most(K(0.0), _s3), K(1.0), K(0.0)));
+    const V _s6 = lanes_sub(x, _c10);
+    const V _s7 = lanes_sub(_c11, x);
+    const V _s8 = lanes_max(_s6, _s7);
+    const V _s9 = lanes_neg(lanes_add(_c4, y));
+    const V _s10 = lanes_max(_s8, _s9);
+    const V _s11 = lanes_sub(y, _c4);
+    const V _s12 = lanes_max(_s10, _s11);
+    const V _s13 = lanes_sub(_c5, z);
+    const V _s14 = lanes_max(_s12, _s13);
+    const V _s15 = lanes_sub(z, _c6);
+    const V _s16 = lanes_max(_s14, _s15);
+    const M _s17 = lanes_less(lanes_abs(lanes_sub(last, K(1.0))), K(0.5));
+    const V _s18 = lanes_select(_s17, _s5, lanes_select(lanes_at_most(K(0.0), _s16), _s5, K(0.0)));
+    const V _s19 = lanes_sub(z, _c8);
+    const V _s20 = lanes_sub(_c12, z);
+    const V _s21 = lanes_max(_s19, _s20);
+    const V _s22 = lanes_neg(lanes_add(_c7, y));
+    const V _s23 = lanes_max(_s21, _s22);
+    const V _s24 = lanes_sub(y, _c7);
+    const V _s25 = lanes_max(_s23, _s24);
+    const V _s26 = lanes_sub(_c1, _s0);
+    const V _s27 = lanes_max(_s25, _s26);
+    const V _s28 = lanes_max(_s27, x);
+    const V _s29 = lanes_neg(lanes_add(_c3, x));
+    const V _s30 = lanes_max(_s28, _s29);
+    const M _s31 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
+    const V _s32 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_add(_c13, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
+    const V _s33 = lanes_mul(_c14, _s32);
+    const V _s34 = lanes_select(lanes_at_most(lanes_abs(lanes_sub(lanes_sub(lanes_sqrt(_s2), _c0), _c2)), _s32), lanes_select(lanes_at_most(_s3, _s33), K(0.0), K(1.0)), K(1.0));
+    const V _s35 = lanes_select(_s4, _s34, lanes_select(lanes_at_most(lanes_abs(_s3), _s33), K(1.0), K(0.0)));
+    const V _s36 = lanes_select(_s17, lanes_select(lanes_at_most(lanes_abs(_s6), _s32), lanes_select(lanes_at_most(_s16, _s32), _s35, K(1.0)), K(1.0)), lanes_select(lanes_at_most(lanes_abs(_s16), _s32), K(1.0), _s35));
+    return (LANES(hoop_valid_out)){ lanes_select(_s31, _s18, lanes_select(lanes_at_most(K(0.0), _s30), _s18, K(0.0))), lanes_select(_s31, lanes_select(lanes_at_most(lanes_abs(_s19), _s32), lanes_select(lanes_at_most(_s30, _s32), _s36, K(1.0)), K(1.0)), lanes_select(lanes_at_most(lanes_abs(_s30), _s32), K(1.0), _s36)) };
 }
 
 /* Whether the ball starts near a surface; otherwise its start is valid and decided.

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene hoop, derivation 1a2afd0b5b720af3,
+   Generated from templates/c/loop.h.j2, scene hoop, derivation d045c64f80c6d78c,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -590,35 +590,35 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         const V _s104 = lanes_div(K(1.0), _s93);
         FIX(0, p_board_distance);
         FIX(1, lanes_add(lanes_add(_s21, lanes_abs(p_bridge_half_width)), lanes_abs(p_end_depth)));
-        FIX(2, _s27); FIX(3, _s28); FIX(4, lanes_sub(_s28, _s30)); FIX(5, p_ring_radius);
-        FIX(6, p_board_half_width); FIX(7, p_board_bottom); FIX(8, p_board_top);
-        FIX(9, p_bridge_half_width); FIX(10, _s32); FIX(11, lanes_mul(_s32, _s32));
-        FIX(12, lanes_sub(lanes_sub(_s32, _s30), _s35));
-        FIX(13, lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
-        FIX(14, _s43); FIX(15, p_gravity); FIX(16, lanes_neg(p_end_depth));
-        FIX(17, lanes_mul(K(2.0), p_gravity)); FIX(18, _s46); FIX(19, _s47);
-        FIX(20, lanes_mul(K(0.5), _s47)); FIX(21, lanes_mul(K(6.667843360785852e-16), p_end_depth));
-        FIX(22, lanes_mul(p_bridge_half_width, p_bridge_half_width));
-        FIX(23, lanes_neg(p_board_distance));
-        FIX(24, lanes_add(_s54, lanes_mul(K(8.890457814381136e-16), p_board_distance)));
-        FIX(25, lanes_mul(K(0.5), p_gravity)); FIX(26, _s64);
-        FIX(27, lanes_add(_s54, lanes_mul(K(6.667843360785852e-16), p_wire_radius)));
-        FIX(28, lanes_mul(K(0.5), lanes_abs(_s46)));
-        FIX(29, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
-        FIX(30, lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        FIX(31, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(32, _s78);
-        FIX(33, lanes_mul(K(5.820766091346741e-11), _s79)); FIX(34, lanes_mul(K(65536.0), _s79));
-        FIX(35, _s84); FIX(36, _s85); FIX(37, lanes_mul(K(4.0), p_gravity));
-        FIX(38, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s32)); FIX(39, _s94);
-        FIX(40, lanes_mul(_s93, _s94)); FIX(41, lanes_mul(K(2.0), p_ring_radius));
-        FIX(42, lanes_add(_s85, _s94)); FIX(43, lanes_mul(K(8.940696716308594e-08), _s79));
-        FIX(44, lanes_max(K(1.0), _s100)); FIX(45, lanes_sqrt(K(2.0)));
-        FIX(46, lanes_add(_s30, _s35)); FIX(47, lanes_mul(_s104, lanes_mul(_s104, _s104)));
-        FIX(48, _s79); FIX(49, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s79));
-        FIX(50, lanes_mul(K(5.00030517578125), _s32)); FIX(51, lanes_mul(K(6.0), p_gravity));
-        FIX(52, lanes_mul(K(9.094947017729282e-13), _s79)); FIX(53, _s93);
-        FIX(54, lanes_div(K(1.0), _s32)); FIX(55, p_restitution);
-        FIX(56, lanes_mul(K(0.4), p_ball_radius)); FIX(57, lanes_div(K(1.0), p_ball_radius));
+        FIX(2, _s27); FIX(3, _s28); FIX(4, lanes_sub(_s28, _s30)); FIX(5, p_ball_radius);
+        FIX(6, p_ring_radius); FIX(7, p_wire_radius); FIX(8, p_board_half_width);
+        FIX(9, p_board_bottom); FIX(10, p_board_top); FIX(11, p_bridge_half_width); FIX(12, _s32);
+        FIX(13, lanes_mul(_s32, _s32)); FIX(14, lanes_sub(lanes_sub(_s32, _s30), _s35));
+        FIX(15, lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
+        FIX(16, _s43); FIX(17, p_gravity); FIX(18, lanes_neg(p_end_depth));
+        FIX(19, lanes_mul(K(2.0), p_gravity)); FIX(20, _s46); FIX(21, _s47);
+        FIX(22, lanes_mul(K(0.5), _s47)); FIX(23, lanes_mul(K(6.667843360785852e-16), p_end_depth));
+        FIX(24, lanes_mul(p_bridge_half_width, p_bridge_half_width));
+        FIX(25, lanes_neg(p_board_distance));
+        FIX(26, lanes_add(_s54, lanes_mul(K(8.890457814381136e-16), p_board_distance)));
+        FIX(27, lanes_mul(K(0.5), p_gravity)); FIX(28, _s64);
+        FIX(29, lanes_add(_s54, lanes_mul(K(6.667843360785852e-16), p_wire_radius)));
+        FIX(30, lanes_mul(K(0.5), lanes_abs(_s46)));
+        FIX(31, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
+        FIX(32, lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        FIX(33, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(34, _s78);
+        FIX(35, lanes_mul(K(5.820766091346741e-11), _s79)); FIX(36, lanes_mul(K(65536.0), _s79));
+        FIX(37, _s84); FIX(38, _s85); FIX(39, lanes_mul(K(4.0), p_gravity));
+        FIX(40, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s32)); FIX(41, _s94);
+        FIX(42, lanes_mul(_s93, _s94)); FIX(43, lanes_mul(K(2.0), p_ring_radius));
+        FIX(44, lanes_add(_s85, _s94)); FIX(45, lanes_mul(K(8.940696716308594e-08), _s79));
+        FIX(46, lanes_max(K(1.0), _s100)); FIX(47, lanes_sqrt(K(2.0)));
+        FIX(48, lanes_add(_s30, _s35)); FIX(49, lanes_mul(_s104, lanes_mul(_s104, _s104)));
+        FIX(50, _s79); FIX(51, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s79));
+        FIX(52, lanes_mul(K(5.00030517578125), _s32)); FIX(53, lanes_mul(K(6.0), p_gravity));
+        FIX(54, lanes_mul(K(9.094947017729282e-13), _s79)); FIX(55, _s93);
+        FIX(56, lanes_div(K(1.0), _s32)); FIX(57, p_restitution);
+        FIX(58, lanes_mul(K(0.4), p_ball_radius)); FIX(59, lanes_div(K(1.0), p_ball_radius));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -694,11 +694,12 @@ LANES_APART void LOOP(fix_rows_1)(LOOP(worklist) *worklist, size_t i)
         FIX(0, p_board_distance);
         FIX(1, lanes_add(lanes_add(lanes_add(_s19, lanes_abs(p_board_half_width)), lanes_abs(p_bridge_half_width)), lanes_abs(p_end_depth)));
         FIX(2, lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius)); FIX(3, _s28);
-        FIX(4, lanes_sub(_s28, _s30)); FIX(5, p_ring_radius); FIX(6, p_board_half_width);
-        FIX(7, p_board_bottom); FIX(8, p_board_top); FIX(9, p_bridge_half_width); FIX(10, _s32);
-        FIX(11, lanes_mul(_s32, _s32));
-        FIX(12, lanes_sub(lanes_sub(_s32, _s30), lanes_mul(K(2.0), p_wire_radius)));
-        FIX(13, lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
+        FIX(4, lanes_sub(_s28, _s30)); FIX(5, p_ball_radius); FIX(6, p_ring_radius);
+        FIX(7, p_wire_radius); FIX(8, p_board_half_width); FIX(9, p_board_bottom);
+        FIX(10, p_board_top); FIX(11, p_bridge_half_width); FIX(12, _s32);
+        FIX(13, lanes_mul(_s32, _s32));
+        FIX(14, lanes_sub(lanes_sub(_s32, _s30), lanes_mul(K(2.0), p_wire_radius)));
+        FIX(15, lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)));
     }
 }
 
@@ -727,38 +728,38 @@ LANES_APART void LOOP(fix_rows_2)(LOOP(worklist) *worklist, size_t i)
         const V _s93 = lanes_max(_s90, _s92);
         const V _s94 = lanes_mul(_s93, _s93);
         FIX(0, p_board_distance); FIX(3, lanes_sub(p_ball_radius, p_board_distance));
-        FIX(5, p_ring_radius); FIX(6, p_board_half_width); FIX(7, p_board_bottom);
-        FIX(8, p_board_top); FIX(9, p_bridge_half_width); FIX(10, _s32);
-        FIX(11, lanes_mul(_s32, _s32)); FIX(14, _s43); FIX(15, p_gravity);
-        FIX(16, lanes_neg(p_end_depth)); FIX(17, lanes_mul(K(2.0), p_gravity));
+        FIX(6, p_ring_radius); FIX(8, p_board_half_width); FIX(9, p_board_bottom);
+        FIX(10, p_board_top); FIX(11, p_bridge_half_width); FIX(12, _s32);
+        FIX(13, lanes_mul(_s32, _s32)); FIX(16, _s43); FIX(17, p_gravity);
+        FIX(18, lanes_neg(p_end_depth)); FIX(19, lanes_mul(K(2.0), p_gravity));
 #if BOUNDED
-        FIX(18, _s46);
+        FIX(20, _s46);
 #else
-        FIX(18, lanes_neg(p_gravity));
+        FIX(20, lanes_neg(p_gravity));
 #endif
-        FIX(19, _s47); FIX(20, lanes_mul(K(0.5), _s47));
+        FIX(21, _s47); FIX(22, lanes_mul(K(0.5), _s47));
 #if BOUNDED
-        FIX(21, lanes_mul(K(6.667843360785852e-16), p_end_depth));
+        FIX(23, lanes_mul(K(6.667843360785852e-16), p_end_depth));
 #endif
-        FIX(22, lanes_mul(p_bridge_half_width, p_bridge_half_width));
-        FIX(23, lanes_neg(p_board_distance));
+        FIX(24, lanes_mul(p_bridge_half_width, p_bridge_half_width));
+        FIX(25, lanes_neg(p_board_distance));
 #if BOUNDED
-        FIX(24, lanes_add(_s54, lanes_mul(K(8.890457814381136e-16), p_board_distance)));
+        FIX(26, lanes_add(_s54, lanes_mul(K(8.890457814381136e-16), p_board_distance)));
 #endif
-        FIX(25, lanes_mul(K(0.5), p_gravity));
+        FIX(27, lanes_mul(K(0.5), p_gravity));
 #if BOUNDED
-        FIX(26, lanes_add(lanes_add(_s62, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
-        FIX(27, lanes_add(_s54, lanes_mul(K(6.667843360785852e-16), p_wire_radius)));
-        FIX(28, lanes_mul(K(0.5), lanes_abs(_s46)));
+        FIX(28, lanes_add(lanes_add(_s62, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
+        FIX(29, lanes_add(_s54, lanes_mul(K(6.667843360785852e-16), p_wire_radius)));
+        FIX(30, lanes_mul(K(0.5), lanes_abs(_s46)));
 #endif
-        FIX(29, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
-        FIX(30, lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        FIX(31, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(32, _s78);
-        FIX(33, lanes_mul(K(5.820766091346741e-11), _s79)); FIX(34, lanes_mul(K(65536.0), _s79));
-        FIX(35, _s84); FIX(36, _s85); FIX(37, lanes_mul(K(4.0), p_gravity));
-        FIX(38, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s32)); FIX(39, _s94);
-        FIX(40, lanes_mul(_s93, _s94)); FIX(41, lanes_mul(K(2.0), p_ring_radius));
-        FIX(42, lanes_add(_s85, _s94));
+        FIX(31, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
+        FIX(32, lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        FIX(33, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(34, _s78);
+        FIX(35, lanes_mul(K(5.820766091346741e-11), _s79)); FIX(36, lanes_mul(K(65536.0), _s79));
+        FIX(37, _s84); FIX(38, _s85); FIX(39, lanes_mul(K(4.0), p_gravity));
+        FIX(40, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s32)); FIX(41, _s94);
+        FIX(42, lanes_mul(_s93, _s94)); FIX(43, lanes_mul(K(2.0), p_ring_radius));
+        FIX(44, lanes_add(_s85, _s94));
     }
 }
 
@@ -773,18 +774,18 @@ LANES_APART void LOOP(fix_rows_3)(LOOP(worklist) *worklist, size_t i)
         const V _s92 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s100 = lanes_div(_s78, lanes_max(_s90, _s92));
 #endif
-        FIX(5, p_ring_radius);
+        FIX(6, p_ring_radius);
 #if BOUNDED
-        FIX(14, lanes_div(K(1.0), p_gravity));
+        FIX(16, lanes_div(K(1.0), p_gravity));
 #endif
-        FIX(15, p_gravity); FIX(25, lanes_mul(K(0.5), p_gravity));
+        FIX(17, p_gravity); FIX(27, lanes_mul(K(0.5), p_gravity));
 #if BOUNDED
-        FIX(29, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
-        FIX(30, lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        FIX(31, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(32, _s78);
-        FIX(43, lanes_mul(K(8.940696716308594e-08), lanes_add(p_ring_radius, _s78)));
-        FIX(44, lanes_max(K(1.0), _s100)); FIX(45, lanes_sqrt(K(2.0)));
-        FIX(46, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
+        FIX(31, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
+        FIX(32, lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        FIX(33, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(34, _s78);
+        FIX(45, lanes_mul(K(8.940696716308594e-08), lanes_add(p_ring_radius, _s78)));
+        FIX(46, lanes_max(K(1.0), _s100)); FIX(47, lanes_sqrt(K(2.0)));
+        FIX(48, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
 #endif
     }
     {
@@ -856,19 +857,19 @@ LANES_APART void LOOP(fix_searching_rows_1)(LOOP(worklist) *worklist, size_t i)
         const V _s93 = lanes_max(_s90, _s92);
         const V _s100 = lanes_div(_s78, _s93);
         const V _s104 = lanes_div(K(1.0), _s93);
-        FIX(14, lanes_div(K(1.0), p_gravity)); FIX(15, p_gravity);
-        FIX(17, lanes_mul(K(2.0), p_gravity));
-        FIX(29, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
-        FIX(30, lanes_mul(K(1.52587890625e-05), p_ball_radius));
-        FIX(31, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(32, _s78);
-        FIX(35, lanes_mul(_s79, _s79)); FIX(37, lanes_mul(K(4.0), p_gravity));
-        FIX(38, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s32));
-        FIX(39, lanes_mul(_s93, _s93)); FIX(41, lanes_mul(K(2.0), p_ring_radius));
-        FIX(44, lanes_max(K(1.0), _s100)); FIX(45, lanes_sqrt(K(2.0)));
-        FIX(46, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
-        FIX(47, lanes_mul(_s104, lanes_mul(_s104, _s104))); FIX(48, _s79);
-        FIX(49, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s79));
-        FIX(50, lanes_mul(K(5.00030517578125), _s32));
+        FIX(16, lanes_div(K(1.0), p_gravity)); FIX(17, p_gravity);
+        FIX(19, lanes_mul(K(2.0), p_gravity));
+        FIX(31, lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s32)));
+        FIX(32, lanes_mul(K(1.52587890625e-05), p_ball_radius));
+        FIX(33, lanes_mul(K(1.52587890625e-05), p_wire_radius)); FIX(34, _s78);
+        FIX(37, lanes_mul(_s79, _s79)); FIX(39, lanes_mul(K(4.0), p_gravity));
+        FIX(40, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s32));
+        FIX(41, lanes_mul(_s93, _s93)); FIX(43, lanes_mul(K(2.0), p_ring_radius));
+        FIX(46, lanes_max(K(1.0), _s100)); FIX(47, lanes_sqrt(K(2.0)));
+        FIX(48, lanes_add(lanes_mul(K(2.0), p_ball_radius), lanes_mul(K(2.0), p_wire_radius)));
+        FIX(49, lanes_mul(_s104, lanes_mul(_s104, _s104))); FIX(50, _s79);
+        FIX(51, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s79));
+        FIX(52, lanes_mul(K(5.00030517578125), _s32));
     }
 }
 
@@ -885,11 +886,11 @@ LANES_APART void LOOP(fix_searching_searching_rows_1)(LOOP(worklist) *worklist, 
         const V _s92 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s93 = lanes_max(_s90, _s92);
         const V _s100 = lanes_div(_s78, _s93);
-        FIX(5, p_ring_radius); FIX(11, lanes_mul(_s32, _s32)); FIX(15, p_gravity);
-        FIX(25, lanes_mul(K(0.5), p_gravity)); FIX(32, _s78); FIX(44, lanes_max(K(1.0), _s100));
-        FIX(48, _s79); FIX(49, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s79));
-        FIX(50, lanes_mul(K(5.00030517578125), _s32)); FIX(51, lanes_mul(K(6.0), p_gravity));
-        FIX(52, lanes_mul(K(9.094947017729282e-13), _s79)); FIX(53, _s93);
+        FIX(6, p_ring_radius); FIX(13, lanes_mul(_s32, _s32)); FIX(17, p_gravity);
+        FIX(27, lanes_mul(K(0.5), p_gravity)); FIX(34, _s78); FIX(46, lanes_max(K(1.0), _s100));
+        FIX(50, _s79); FIX(51, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s79));
+        FIX(52, lanes_mul(K(5.00030517578125), _s32)); FIX(53, lanes_mul(K(6.0), p_gravity));
+        FIX(54, lanes_mul(K(9.094947017729282e-13), _s79)); FIX(55, _s93);
     }
 }
 
@@ -898,8 +899,8 @@ LANES_APART void LOOP(fix_rows_4)(LOOP(worklist) *worklist, size_t i)
     EACH(PARAMETER, , p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
-        FIX(5, p_ring_radius); FIX(11, lanes_mul(_s32, _s32)); FIX(15, p_gravity);
-        FIX(25, lanes_mul(K(0.5), p_gravity));
+        FIX(6, p_ring_radius); FIX(13, lanes_mul(_s32, _s32)); FIX(17, p_gravity);
+        FIX(27, lanes_mul(K(0.5), p_gravity));
     }
 }
 
@@ -909,8 +910,8 @@ LANES_APART void LOOP(fix_refining_rows_1)(LOOP(worklist) *worklist, size_t take
     EACH(TURNING, turning_, p_ball_radius, p_gravity, p_ring_radius, p_wire_radius)
     {
         const V _s32 = lanes_add(p_ball_radius, p_wire_radius);
-        FIX(5, p_ring_radius); FIX(11, lanes_mul(_s32, _s32)); FIX(15, p_gravity);
-        FIX(25, lanes_mul(K(0.5), p_gravity));
+        FIX(6, p_ring_radius); FIX(13, lanes_mul(_s32, _s32)); FIX(17, p_gravity);
+        FIX(27, lanes_mul(K(0.5), p_gravity));
     }
 }
 
@@ -926,9 +927,9 @@ LANES_APART void LOOP(fix_rows_5)(LOOP(worklist) *worklist, size_t i)
         const V _s90 = lanes_sub(p_ring_radius, _s78);
         const V _s92 = lanes_mul(K(0.0001220703125), p_ring_radius);
         const V _s100 = lanes_div(_s78, lanes_max(_s90, _s92));
-        FIX(15, p_gravity); FIX(32, _s78); FIX(44, lanes_max(K(1.0), _s100)); FIX(48, _s79);
-        FIX(49, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s79));
-        FIX(50, lanes_mul(K(5.00030517578125), _s32));
+        FIX(17, p_gravity); FIX(34, _s78); FIX(46, lanes_max(K(1.0), _s100)); FIX(50, _s79);
+        FIX(51, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s32), _s79));
+        FIX(52, lanes_mul(K(5.00030517578125), _s32));
     }
 }
 
@@ -943,13 +944,13 @@ LANES_APART void LOOP(fix_rows_6)(LOOP(worklist) *worklist, size_t i)
 #if BOUNDED
         const V _s62 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius), p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth);
 #endif
-        FIX(3, lanes_sub(p_ball_radius, p_board_distance)); FIX(5, p_ring_radius); FIX(10, _s32);
-        FIX(15, p_gravity); FIX(25, lanes_mul(K(0.5), p_gravity));
+        FIX(3, lanes_sub(p_ball_radius, p_board_distance)); FIX(6, p_ring_radius); FIX(12, _s32);
+        FIX(17, p_gravity); FIX(27, lanes_mul(K(0.5), p_gravity));
 #if BOUNDED
-        FIX(26, lanes_add(lanes_add(_s62, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
+        FIX(28, lanes_add(lanes_add(_s62, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
 #endif
-        FIX(54, lanes_div(K(1.0), _s32)); FIX(55, p_restitution);
-        FIX(56, lanes_mul(K(0.4), p_ball_radius)); FIX(57, lanes_div(K(1.0), p_ball_radius));
+        FIX(56, lanes_div(K(1.0), _s32)); FIX(57, p_restitution);
+        FIX(58, lanes_mul(K(0.4), p_ball_radius)); FIX(59, lanes_div(K(1.0), p_ball_radius));
 #if BOUNDED
     }
     {
@@ -1038,7 +1039,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         BOUNDS(EACH(GET, _aside_1, undecided_time))
         const M _if_close_1 = close;
         if (lanes_any(_if_close_1)) {
-            CALL(hoop_valid, _valid_1)(last, x, y, z, FIXED(5), FIXED(0), FIXED(6), FIXED(7), FIXED(8), FIXED(9), FIXED(10), FIXED(11), FIXED(3), FIXED(4), FIXED(12), FIXED(1), FIXED(13));
+            CALL(hoop_valid, _valid_1)(last, x, y, z, FIXED(5), FIXED(6), FIXED(7), FIXED(0), FIXED(8), FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(13), FIXED(3), FIXED(4), FIXED(14), FIXED(1), FIXED(15));
             EACH(SELECT, (_if_close_1, _valid_1), valid)
             BOUNDS(EACH(SELECT, (_if_close_1, _valid_1), undecided_time))
         }
@@ -1057,7 +1058,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
 #endif
         EACH(GET_SINGLE, _error_bounds_1, time_error)
         BOUNDS(EACH(GET_SINGLE, _error_bounds_1, position_error, velocity_error))
-        CALL(hoop_scale, _scale_1)(x, y, z, vx, vy, vz, FIXED(14));
+        CALL(hoop_scale, _scale_1)(x, y, z, vx, vy, vz, FIXED(16));
         EACH(GET, _scale_1, extent, speed, excess)
 #if BOUNDED
         CALL(hoop_opening, _opening_1)(excess, lanes_wide(position_error), lanes_wide(velocity_error));
@@ -1071,14 +1072,14 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         EACH(GET_MASK, _limited_1, limited)
         CALL(hoop_left, _left_1)(K(3.0), last);
         EACH(GET, _left_1, leaving)
-        CALL(hoop_end_arrival, _end_arrival_1)(leaving, z, vz, FIXED(15), FIXED(16), FIXED(17), FIXED(18), FIXED(19), FIXED(20));
+        CALL(hoop_end_arrival, _end_arrival_1)(leaving, z, vz, FIXED(17), FIXED(18), FIXED(19), FIXED(20), FIXED(21), FIXED(22));
         EACH(GET, _end_arrival_1, time, rate, bend, apex)
         BOUNDS(EACH(GET, _end_arrival_1, height))
         CALL(hoop_plane_root, _plane_root_1)(rate, bend, apex, time);
         EACH(GET_MASK, _plane_root_1, arrives)
 #if BOUNDED
         EACH(GET, _plane_root_1, ceiling, nearest)
-        CALL(hoop_end_margin, _end_margin_1)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(21));
+        CALL(hoop_end_margin, _end_margin_1)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(17), FIXED(23));
         EACH(GET, _end_margin_1, margin)
         CALL(hoop_crossing, _crossing_1)(margin, K(0.0), rate, ceiling);
         EACH(GET, _crossing_1, clearance, delay)
@@ -1104,18 +1105,18 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         EACH(GET_MASK, _released_1, released, reachable)
         const M _if_released_1 = released;
         if (lanes_any(_if_released_1)) {
-            CALL(hoop_horizon, _horizon_1)(when, speed, FIXED(14));
+            CALL(hoop_horizon, _horizon_1)(when, speed, FIXED(16));
             V until = _horizon_1.horizon;
             EACH(GET, _horizon_1, pad)
 #if BOUNDED
-            CALL(hoop_reachable, _reachable_1)(x, vx, until, extent, speed, pad, earliest_delay, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(5), FIXED(3), FIXED(22), FIXED(23));
+            CALL(hoop_reachable, _reachable_1)(x, vx, until, extent, speed, pad, earliest_delay, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(17), FIXED(6), FIXED(3), FIXED(24), FIXED(25));
 #else
-            CALL(hoop_reachable, _reachable_1)(x, vx, until, extent, speed, pad, K(0.0), K(0.0), K(0.0), FIXED(15), FIXED(5), FIXED(3), FIXED(22), FIXED(23));
+            CALL(hoop_reachable, _reachable_1)(x, vx, until, extent, speed, pad, K(0.0), K(0.0), K(0.0), FIXED(17), FIXED(6), FIXED(3), FIXED(24), FIXED(25));
 #endif
             EACH(SELECT_MASK, (_if_released_1, _reachable_1), reachable)
         }
         refused = lanes_either(refused, reachable);
-        CALL(hoop_horizon, _horizon_2)(when, speed, FIXED(14));
+        CALL(hoop_horizon, _horizon_2)(when, speed, FIXED(16));
         V until = _horizon_2.horizon;
 #if BOUNDED
         EACH(GET, _horizon_2, pad)
@@ -1133,9 +1134,9 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         const M _if_unproved_1 = unproved;
         if (lanes_any(_if_unproved_1)) {
 #if BOUNDED
-            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(5), FIXED(15), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(34), FIXED(17), FIXED(14), FIXED(25), FIXED(11), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41), FIXED(42));
+            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(6), FIXED(17), FIXED(31), FIXED(32), FIXED(33), FIXED(34), FIXED(35), FIXED(36), FIXED(19), FIXED(16), FIXED(27), FIXED(13), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41), FIXED(42), FIXED(43), FIXED(44));
 #else
-            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(5), FIXED(15), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(34), FIXED(17), FIXED(14), FIXED(25), FIXED(11), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41), FIXED(42));
+            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(6), FIXED(17), FIXED(31), FIXED(32), FIXED(33), FIXED(34), FIXED(35), FIXED(36), FIXED(19), FIXED(16), FIXED(27), FIXED(13), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41), FIXED(42), FIXED(43), FIXED(44));
 #endif
             EACH(SELECT, (_if_unproved_1, _ring_clear_1), clear)
         }
@@ -1164,7 +1165,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
         EACH(GET, _body_of_1, body)
         const M _if_moves_1 = moves;
         {
-            CALL(hoop_flight, _flight_1)(when, x, y, z, vx, vy, vz, FIXED(15), FIXED(25));
+            CALL(hoop_flight, _flight_1)(when, x, y, z, vx, vy, vz, FIXED(17), FIXED(27));
             EACH(SELECT, (_if_moves_1, _flight_1), x, y, z, vx, vy, vz)
             CALL(hoop_event_clock, _event_clock_1)(when, clock);
             EACH(SELECT, (_if_moves_1, _event_clock_1), clock)
@@ -1176,14 +1177,14 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const hoop_job *job, size_t
             EACH(SELECT_MASK, (_if_limited_2, _expired_1), ends)
         }
 #if BOUNDED
-        CALL(hoop_displacement, _displacement_1)(earliest_delay, when, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(26));
+        CALL(hoop_displacement, _displacement_1)(earliest_delay, when, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(17), FIXED(28));
         V slack = _displacement_1.margin;
 #endif
         CALL(hoop_here, _here_1)(K(3.0), which);
         EACH(GET_MASK, _here_1, here)
         const M _if_here_1 = here;
         {
-            CALL(hoop_end_bounds, _end_bounds_1)(x, y, FIXED(5));
+            CALL(hoop_end_bounds, _end_bounds_1)(x, y, FIXED(6));
             EACH(GET, _end_bounds_1, g0)
             CALL(hoop_end_reached, _end_reached_1)(g0);
             EACH(SELECT, (_if_here_1, _end_reached_1), reached)
@@ -1321,7 +1322,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             BOUNDS(EACH(GET, _aside_1, undecided_time))
             const M _if_close_1 = lanes_both(rows, close);
             if (lanes_any(_if_close_1)) {
-                CALL(hoop_valid, _valid_1)(last, x, y, z, FIXED(5), FIXED(0), FIXED(6), FIXED(7), FIXED(8), FIXED(9), FIXED(10), FIXED(11), FIXED(3), FIXED(4), FIXED(12), FIXED(1), FIXED(13));
+                CALL(hoop_valid, _valid_1)(last, x, y, z, FIXED(5), FIXED(6), FIXED(7), FIXED(0), FIXED(8), FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(13), FIXED(3), FIXED(4), FIXED(14), FIXED(1), FIXED(15));
                 EACH(SELECT, (_if_close_1, _valid_1), valid)
                 BOUNDS(EACH(SELECT, (_if_close_1, _valid_1), undecided_time))
             }
@@ -1360,7 +1361,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
 #endif
             EACH(GET_SINGLE, _error_bounds_1, time_error)
             BOUNDS(EACH(GET_SINGLE, _error_bounds_1, position_error, velocity_error))
-            CALL(hoop_scale, _scale_1)(x, y, z, vx, vy, vz, FIXED(14));
+            CALL(hoop_scale, _scale_1)(x, y, z, vx, vy, vz, FIXED(16));
             EACH(GET, _scale_1, extent, speed, excess)
 #if BOUNDED
             CALL(hoop_opening, _opening_1)(excess, lanes_wide(position_error), lanes_wide(velocity_error));
@@ -1373,14 +1374,14 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(GET_MASK, _limited_1, limited)
             CALL(hoop_left, _left_1)(K(3.0), last);
             EACH(GET, _left_1, leaving)
-            CALL(hoop_end_arrival, _end_arrival_1)(leaving, z, vz, FIXED(15), FIXED(16), FIXED(17), FIXED(18), FIXED(19), FIXED(20));
+            CALL(hoop_end_arrival, _end_arrival_1)(leaving, z, vz, FIXED(17), FIXED(18), FIXED(19), FIXED(20), FIXED(21), FIXED(22));
             EACH(GET, _end_arrival_1, time, rate, bend, apex)
             BOUNDS(EACH(GET, _end_arrival_1, height))
             CALL(hoop_plane_root, _plane_root_1)(rate, bend, apex, time);
             EACH(GET_MASK, _plane_root_1, arrives)
 #if BOUNDED
             EACH(GET, _plane_root_1, ceiling, nearest)
-            CALL(hoop_end_margin, _end_margin_1)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(21));
+            CALL(hoop_end_margin, _end_margin_1)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(17), FIXED(23));
             EACH(GET, _end_margin_1, margin)
             CALL(hoop_crossing, _crossing_1)(margin, K(0.0), rate, ceiling);
             EACH(GET, _crossing_1, clearance, delay)
@@ -1406,13 +1407,13 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(GET_MASK, _released_1, released, reachable)
             const M _if_released_1 = lanes_both(rows, released);
             if (lanes_any(_if_released_1)) {
-                CALL(hoop_horizon, _horizon_1)(when, speed, FIXED(14));
+                CALL(hoop_horizon, _horizon_1)(when, speed, FIXED(16));
                 V until = _horizon_1.horizon;
                 EACH(GET, _horizon_1, pad)
 #if BOUNDED
-                CALL(hoop_reachable, _reachable_1)(x, vx, until, extent, speed, pad, earliest_delay, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(5), FIXED(3), FIXED(22), FIXED(23));
+                CALL(hoop_reachable, _reachable_1)(x, vx, until, extent, speed, pad, earliest_delay, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(17), FIXED(6), FIXED(3), FIXED(24), FIXED(25));
 #else
-                CALL(hoop_reachable, _reachable_1)(x, vx, until, extent, speed, pad, K(0.0), K(0.0), K(0.0), FIXED(15), FIXED(5), FIXED(3), FIXED(22), FIXED(23));
+                CALL(hoop_reachable, _reachable_1)(x, vx, until, extent, speed, pad, K(0.0), K(0.0), K(0.0), FIXED(17), FIXED(6), FIXED(3), FIXED(24), FIXED(25));
 #endif
                 EACH(SELECT_MASK, (_if_released_1, _reachable_1), reachable)
             }
@@ -1426,7 +1427,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(GET_MASK, _level_root_1, arrives)
 #if BOUNDED
                 EACH(GET, _level_root_1, ceiling, nearest)
-                CALL(hoop_backboard_margin, _backboard_margin_1)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(24));
+                CALL(hoop_backboard_margin, _backboard_margin_1)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(17), FIXED(26));
                 EACH(GET, _backboard_margin_1, margin)
                 CALL(hoop_crossing, _crossing_2)(margin, K(0.0), rate, ceiling);
                 EACH(GET, _crossing_2, clearance, delay)
@@ -1443,13 +1444,13 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
 #else
                 {
 #endif
-                    CALL(hoop_flight, _flight_1)(time, x, y, z, vx, vy, vz, FIXED(15), FIXED(25));
+                    CALL(hoop_flight, _flight_1)(time, x, y, z, vx, vy, vz, FIXED(17), FIXED(27));
                     V there_y = _flight_1.y;
                     V there_z = _flight_1.z;
-                    CALL(hoop_backboard_bounds, _backboard_bounds_1)(there_y, there_z, FIXED(6), FIXED(7), FIXED(8));
+                    CALL(hoop_backboard_bounds, _backboard_bounds_1)(there_y, there_z, FIXED(8), FIXED(9), FIXED(10));
                     EACH(GET, _backboard_bounds_1, g0, g1, g2, g3)
 #if BOUNDED
-                    CALL(hoop_displacement, _displacement_1)(delay, time, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(26));
+                    CALL(hoop_displacement, _displacement_1)(delay, time, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(17), FIXED(28));
                     V slack = _displacement_1.margin;
                     CALL(hoop_backboard_edges, _backboard_edges_1)(clearance, slack, g0, g1, g2, g3);
                     EACH(GET_MASK, _backboard_edges_1, undecided)
@@ -1467,7 +1468,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 }
                 CALL(hoop_left, _left_3)(K(2.0), last);
                 EACH(SET, _left_3, leaving)
-                CALL(hoop_bridge_arrival, _bridge_arrival_1)(leaving, z, vz, FIXED(15), FIXED(10), FIXED(17), FIXED(18), FIXED(19), FIXED(20));
+                CALL(hoop_bridge_arrival, _bridge_arrival_1)(leaving, z, vz, FIXED(17), FIXED(12), FIXED(19), FIXED(20), FIXED(21), FIXED(22));
                 EACH(SET, _bridge_arrival_1, time, rate, bend)
                 EACH(GET, _bridge_arrival_1, apex)
                 BOUNDS(EACH(SET, _bridge_arrival_1, height))
@@ -1475,7 +1476,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(SET, _plane_root_2, arrives)
 #if BOUNDED
                 EACH(SET, _plane_root_2, ceiling, nearest)
-                CALL(hoop_bridge_margin, _bridge_margin_1)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(27));
+                CALL(hoop_bridge_margin, _bridge_margin_1)(nearest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(17), FIXED(29));
                 EACH(SET, _bridge_margin_1, margin)
                 CALL(hoop_crossing, _crossing_3)(margin, K(0.0), rate, ceiling);
                 EACH(SET, _crossing_3, clearance, delay)
@@ -1488,13 +1489,13 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
 #endif
                 const M _if_possible_3 = lanes_both(_if_reachable_1, possible);
                 if (lanes_any(_if_possible_3)) {
-                    CALL(hoop_flight, _flight_2)(time, x, y, z, vx, vy, vz, FIXED(15), FIXED(25));
+                    CALL(hoop_flight, _flight_2)(time, x, y, z, vx, vy, vz, FIXED(17), FIXED(27));
                     V there_x = _flight_2.x;
                     V there_y = _flight_2.y;
-                    CALL(hoop_bridge_bounds, _bridge_bounds_1)(there_x, there_y, FIXED(5), FIXED(0), FIXED(9));
+                    CALL(hoop_bridge_bounds, _bridge_bounds_1)(there_x, there_y, FIXED(6), FIXED(0), FIXED(11));
                     EACH(GET, _bridge_bounds_1, g0, g1, g2, g3, g4)
 #if BOUNDED
-                    CALL(hoop_displacement, _displacement_2)(delay, time, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(26));
+                    CALL(hoop_displacement, _displacement_2)(delay, time, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(17), FIXED(28));
                     V slack = _displacement_2.margin;
                     CALL(hoop_bridge_edges, _bridge_edges_1)(clearance, slack, g0, g1, g2, g3, g4);
                     EACH(GET_MASK, _bridge_edges_1, undecided)
@@ -1511,19 +1512,19 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     EACH(SELECT, (_if_possible_3, _earliest_3), when, which)
                 }
 #if BOUNDED
-                CALL(hoop_plane_start, _plane_start_1)(undecided_time, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(28));
+                CALL(hoop_plane_start, _plane_start_1)(undecided_time, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(30));
                 EACH(SELECT, (_if_reachable_1, _plane_start_1), undecided_time)
 #endif
             }
-            CALL(hoop_horizon, _horizon_2)(when, speed, FIXED(14));
+            CALL(hoop_horizon, _horizon_2)(when, speed, FIXED(16));
             V until = _horizon_2.horizon;
 #if BOUNDED
             EACH(GET, _horizon_2, pad)
             CALL(hoop_overdue, _overdue_1)(pad, earliest_delay, undecided_time);
             EACH(SET, _overdue_1, undecided_time)
-            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(5), FIXED(15), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(34), FIXED(17), FIXED(14), FIXED(25), FIXED(11), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41), FIXED(42));
+            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(6), FIXED(17), FIXED(31), FIXED(32), FIXED(33), FIXED(34), FIXED(35), FIXED(36), FIXED(19), FIXED(16), FIXED(27), FIXED(13), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41), FIXED(42), FIXED(43), FIXED(44));
 #else
-            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(5), FIXED(15), FIXED(29), FIXED(30), FIXED(31), FIXED(32), FIXED(33), FIXED(34), FIXED(17), FIXED(14), FIXED(25), FIXED(11), FIXED(35), FIXED(36), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41), FIXED(42));
+            CALL(hoop_ring_clear, _ring_clear_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(6), FIXED(17), FIXED(31), FIXED(32), FIXED(33), FIXED(34), FIXED(35), FIXED(36), FIXED(19), FIXED(16), FIXED(27), FIXED(13), FIXED(37), FIXED(38), FIXED(39), FIXED(40), FIXED(41), FIXED(42), FIXED(43), FIXED(44));
 #endif
             EACH(GET, _ring_clear_1, clear)
             CALL(hoop_opens, _opens_1)(clear);
@@ -1563,9 +1564,9 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 CALL(hoop_opened, _opened_1)(lanes_wide(lapsed), lanes_wide(onset));
                 V since = _opened_1.time;
                 BOUNDS(EACH(GET, _opened_1, latest))
-                CALL(hoop_ring_started, _ring_started_1)(x, y, z, vx, vy, vz, FIXED(5));
+                CALL(hoop_ring_started, _ring_started_1)(x, y, z, vx, vy, vz, FIXED(6));
                 EACH(GET, _ring_started_1, rho_start, start_rate, rho_rate)
-                CALL(hoop_flight, _flight_1)(since, x, y, z, vx, vy, vz, FIXED(15), FIXED(25));
+                CALL(hoop_flight, _flight_1)(since, x, y, z, vx, vy, vz, FIXED(17), FIXED(27));
                 V near_x = _flight_1.x;
                 V near_y = _flight_1.y;
                 V near_z = _flight_1.z;
@@ -1602,9 +1603,9 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(GET, _coarse_1, ceiling, flat, tilt)
 #if BOUNDED
                 EACH(GET, _coarse_1, allowing)
-                CALL(hoop_ring_coarse_excess, _ring_coarse_excess_1)(allowing, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(32), FIXED(43), FIXED(44));
+                CALL(hoop_ring_coarse_excess, _ring_coarse_excess_1)(allowing, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(17), FIXED(34), FIXED(45), FIXED(46));
                 EACH(GET, _ring_coarse_excess_1, excess)
-                CALL(hoop_ring_budget_exceeded, _ring_budget_exceeded_1)(until, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(29), FIXED(45), FIXED(14), FIXED(46), FIXED(30), FIXED(31));
+                CALL(hoop_ring_budget_exceeded, _ring_budget_exceeded_1)(until, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(31), FIXED(47), FIXED(16), FIXED(48), FIXED(32), FIXED(33));
                 EACH(GET, _ring_budget_exceeded_1, budget_exceeded)
                 CALL(hoop_out_of_budget, _out_of_budget_1)(pad, budget_exceeded, earliest_delay, undecided_time, excess);
                 EACH(SELECT, (rows, _out_of_budget_1), undecided_time)
@@ -1762,21 +1763,21 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
 #if BOUNDED
             EACH(LOAD, searching_, undecided_time)
             EACH(LOAD_SINGLE, searching_, position_error, velocity_error)
-            CALL(hoop_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(37), FIXED(41), FIXED(32), FIXED(17), FIXED(14), FIXED(35), FIXED(39), FIXED(38), FIXED(47), FIXED(29), FIXED(45), FIXED(46), FIXED(30), FIXED(31));
+            CALL(hoop_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(39), FIXED(43), FIXED(34), FIXED(19), FIXED(16), FIXED(37), FIXED(41), FIXED(40), FIXED(49), FIXED(31), FIXED(47), FIXED(48), FIXED(32), FIXED(33));
 #else
-            CALL(hoop_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(37), FIXED(41), FIXED(32), FIXED(17), FIXED(14), FIXED(35), FIXED(39), FIXED(38), FIXED(47), FIXED(29), FIXED(45), FIXED(46), FIXED(30), FIXED(31));
+            CALL(hoop_ring_prepare, _ring_prepare_1)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), FIXED(39), FIXED(43), FIXED(34), FIXED(19), FIXED(16), FIXED(37), FIXED(41), FIXED(40), FIXED(49), FIXED(31), FIXED(47), FIXED(48), FIXED(32), FIXED(33));
 #endif
             EACH(GET, _ring_prepare_1, energy2, moment2, rho_start, low0, high0, low1, high1, low2)
             EACH(GET, _ring_prepare_1, high2, ceiling, latest)
 #if BOUNDED
-            CALL(hoop_ring_excess, _ring_excess_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(32), FIXED(44));
+            CALL(hoop_ring_excess, _ring_excess_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(17), FIXED(34), FIXED(46));
             EACH(GET, _ring_excess_1, excess)
-            CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15));
+            CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(17));
 #else
-            CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, K(0.0), K(0.0), FIXED(15));
+            CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, K(0.0), K(0.0), FIXED(17));
 #endif
             EACH(GET, _allowance_1, position_level, velocity_level)
-            CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(15), FIXED(32), FIXED(48), FIXED(49), FIXED(50), FIXED(44));
+            CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(17), FIXED(34), FIXED(50), FIXED(51), FIXED(52), FIXED(46));
             V flat = _ring_margins_1.margin;
             V tilt = _ring_margins_1.leaving_margin;
             V rate_slack = _ring_margins_1.rate_margin;
@@ -1859,7 +1860,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 M searching = active;
                 CALL(hoop_nearby, _nearby_1)(t, flat, tilt, K(0.0), last);
                 EACH(GET, _nearby_1, leaving, margin)
-                CALL(hoop_ring_advance, _ring_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, FIXED(5), FIXED(15), FIXED(25), FIXED(11), FIXED(51), FIXED(32), FIXED(52), FIXED(53));
+                CALL(hoop_ring_advance, _ring_advance_1)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, energy2, moment2, rho_start, FIXED(6), FIXED(17), FIXED(27), FIXED(13), FIXED(53), FIXED(34), FIXED(54), FIXED(55));
                 EACH(GET, _ring_advance_1, gap, rate, bend, step, next, clearance)
                 CALL(hoop_gap_closes, _gap_closes_1)(gap, rate, bend, margin, rate_slack, clearance, share);
                 EACH(GET_MASK, _gap_closes_1, hit, sure, needs_refinement)
@@ -1868,14 +1869,14 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                     CALL(hoop_smaller_budget, _smaller_budget_1)(share);
                     EACH(SELECT, (_if_needs_refinement_1, _smaller_budget_1), share)
 #if BOUNDED
-                    CALL(hoop_ring_excess, _ring_excess_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(32), FIXED(44));
+                    CALL(hoop_ring_excess, _ring_excess_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(17), FIXED(34), FIXED(46));
                     EACH(GET, _ring_excess_1, excess)
-                    CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15));
+                    CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(17));
 #else
-                    CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, K(0.0), K(0.0), FIXED(15));
+                    CALL(hoop_allowance, _allowance_1)(share, latest, extent, speed, K(0.0), K(0.0), FIXED(17));
 #endif
                     EACH(GET, _allowance_1, position_level, velocity_level)
-                    CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(15), FIXED(32), FIXED(48), FIXED(49), FIXED(50), FIXED(44));
+                    CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, position_level, velocity_level, FIXED(17), FIXED(34), FIXED(50), FIXED(51), FIXED(52), FIXED(46));
                     flat = lanes_select(_if_needs_refinement_1, _ring_margins_1.margin, flat);
                     tilt = lanes_select(_if_needs_refinement_1, _ring_margins_1.leaving_margin, tilt);
                     rate_slack = lanes_select(_if_needs_refinement_1, _ring_margins_1.rate_margin, rate_slack);
@@ -1950,7 +1951,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(GET, _nearby_1, leaving)
                 const M _if_refining_1 = lanes_both(rows, refining);
                 if (LANES_USUAL(_if_refining_1)) {
-                    CALL(hoop_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(5), FIXED(15), FIXED(25), FIXED(11));
+                    CALL(hoop_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(6), FIXED(17), FIXED(27), FIXED(13));
                     V refined = _ring_refine_1.time;
                     EACH(GET, _ring_refine_1, gap)
 #if BOUNDED
@@ -1964,7 +1965,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 }
                 const M _if_refining_2 = lanes_both(rows, refining);
                 if (LANES_USUAL(_if_refining_2)) {
-                    CALL(hoop_ring_refine, _ring_refine_2)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(5), FIXED(15), FIXED(25), FIXED(11));
+                    CALL(hoop_ring_refine, _ring_refine_2)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(6), FIXED(17), FIXED(27), FIXED(13));
                     V refined = _ring_refine_2.time;
                     EACH(GET, _ring_refine_2, gap)
 #if BOUNDED
@@ -2026,7 +2027,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 if (busy == 0)
                     break;
                 M refining = active;
-                CALL(hoop_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(5), FIXED(15), FIXED(25), FIXED(11));
+                CALL(hoop_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(6), FIXED(17), FIXED(27), FIXED(13));
                 V refined = _ring_refine_1.time;
                 EACH(GET, _ring_refine_1, gap, rate)
                 CALL(hoop_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
@@ -2063,7 +2064,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(LOAD, , undecided_time)
                 EACH(LOAD_MASK, , certain)
                 EACH(LOAD_SINGLE, , position_error, velocity_error)
-                CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(32), FIXED(48), FIXED(49), FIXED(50), FIXED(44));
+                CALL(hoop_ring_margins, _ring_margins_1)(latest, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(17), FIXED(34), FIXED(50), FIXED(51), FIXED(52), FIXED(46));
                 V flat = _ring_margins_1.margin;
                 V tilt = _ring_margins_1.leaving_margin;
                 EACH(GET, _ring_margins_1, rate_margin)
@@ -2124,7 +2125,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
             EACH(GET, _body_of_1, body)
             const M _if_moves_1 = lanes_both(rows, moves);
             {
-                CALL(hoop_flight, _flight_1)(when, x, y, z, vx, vy, vz, FIXED(15), FIXED(25));
+                CALL(hoop_flight, _flight_1)(when, x, y, z, vx, vy, vz, FIXED(17), FIXED(27));
                 EACH(SELECT, (_if_moves_1, _flight_1), x, y, z, vx, vy, vz)
                 CALL(hoop_event_clock, _event_clock_1)(when, clock);
                 EACH(SELECT, (_if_moves_1, _event_clock_1), clock)
@@ -2136,14 +2137,14 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(SELECT_MASK, (_if_limited_2, _expired_1), ends)
             }
 #if BOUNDED
-            CALL(hoop_displacement, _displacement_1)(earliest_delay, when, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(15), FIXED(26));
+            CALL(hoop_displacement, _displacement_1)(earliest_delay, when, extent, speed, lanes_wide(position_error), lanes_wide(velocity_error), FIXED(17), FIXED(28));
             V slack = _displacement_1.margin;
 #endif
             CALL(hoop_here, _here_1)(K(3.0), which);
             EACH(GET_MASK, _here_1, here)
             const M _if_here_1 = lanes_both(rows, here);
             {
-                CALL(hoop_end_bounds, _end_bounds_1)(x, y, FIXED(5));
+                CALL(hoop_end_bounds, _end_bounds_1)(x, y, FIXED(6));
                 EACH(GET, _end_bounds_1, g0)
                 CALL(hoop_end_reached, _end_reached_1)(g0);
                 EACH(SELECT, (_if_here_1, _end_reached_1), reached)
@@ -2189,7 +2190,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(GET_MASK, _here_2, here)
                 const M _if_here_2 = lanes_both(_if_meeting_1, here);
                 {
-                    CALL(hoop_ring_normal, _ring_normal_1)(x, y, z, FIXED(5), FIXED(54));
+                    CALL(hoop_ring_normal, _ring_normal_1)(x, y, z, FIXED(6), FIXED(56));
                     EACH(SELECT, (_if_here_2, _ring_normal_1), nx, ny, nz)
                     CALL(hoop_counted, _counted_1)(count_0);
                     count_0 = lanes_select(_if_here_2, _counted_1.count, count_0);
@@ -2346,7 +2347,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
 #endif
                 const M _if_touches_1 = lanes_both(_if_meeting_1, touches);
                 if (LANES_USUAL(_if_touches_1)) {
-                    CALL(hoop_impact, _impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, FIXED(55), FIXED(56), FIXED(57));
+                    CALL(hoop_impact, _impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, FIXED(57), FIXED(58), FIXED(59));
                     EACH(SELECT, (_if_touches_1, _impact_1), vx, vy, vz, wx, wy, wz)
                 }
 #if BOUNDED
@@ -2376,7 +2377,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 const M _if_here_6 = lanes_both(_if_meeting_1, here);
 #endif
                 {
-                    CALL(hoop_bridge_place, _bridge_place_1)(x, y, FIXED(10));
+                    CALL(hoop_bridge_place, _bridge_place_1)(x, y, FIXED(12));
 #if BOUNDED
                     EACH(SELECT, (_if_here_9, _bridge_place_1), x, y, z)
 #else

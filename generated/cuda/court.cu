@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation dbdf4b87ee6d0a5a,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation 9825af665afe78b0,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -2380,15 +2380,15 @@ static __device__ __forceinline__ kernel_resumed_out kernel_resumed(double last,
     return {choose((mode == 5.0), last, -1.0), 0.0, clock, choose(((position_error < (INFINITE)) && (velocity_error < (INFINITE))), (INFINITE), 0.0), mode == 1.0, mode == 2.0, mode == 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 }
 
-/* 1 if a decision lies within its error, unless it only delays bounces on one surface.
-   Table 1. 12 operations: 1 addition, 4 comparisons, 3 conjunctions, 1 disjunction, 2 complements, 1 selection. */
+/* 1 if a decision lies within its error, unless that only delays bounces on a surface.
+   Table 1. 16 operations: 1 addition, 6 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 1 selection. */
 struct kernel_contact_undecided_out {
     double uncertain;
 };
 
-static __device__ __forceinline__ kernel_contact_undecided_out kernel_contact_undecided(double last, double when, double which, double earliest_delay, double undecided_time, double uncertain, bool edge, double assured)
+static __device__ __forceinline__ kernel_contact_undecided_out kernel_contact_undecided(double last, double when, double which, double earliest_delay, double undecided_time, double position_error, double velocity_error, double uncertain, bool edge, double assured)
 {
-    const bool _s0 = (((!((when + earliest_delay) < undecided_time)) && (undecided_time < (INFINITE))) || edge) && (!((0.0 < assured) && (which == last)));
+    const bool _s0 = (((!((when + earliest_delay) < undecided_time)) && (undecided_time < (INFINITE))) || edge) && (!(((0.0 < assured) && (which == last)) && ((position_error < (INFINITE)) && (velocity_error < (INFINITE)))));
     return {choose(_s0, 1.0, uncertain)};
 }
 
@@ -8220,7 +8220,7 @@ static __device__ __forceinline__ void court_loop(
             }
         }
         if (BOUNDS) {
-            const kernel_contact_undecided_out _o430 = kernel_contact_undecided(last, when, which, earliest_delay, undecided_time, uncertain, edge, assured);
+            const kernel_contact_undecided_out _o430 = kernel_contact_undecided(last, when, which, earliest_delay, undecided_time, position_error, velocity_error, uncertain, edge, assured);
             uncertain = _o430.uncertain;
         }
         const kernel_accounted_out _o431 = kernel_accounted(contacts, most_contacts, reached, touches);

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation 1a2afd0b5b720af3,
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation d045c64f80c6d78c,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -318,7 +318,7 @@ static __device__ __forceinline__ kernel_parameters_in_range_out kernel_paramete
 }
 
 /* 1 if the ball overlaps no surface; 1 if that is undecided.
-   Table 2. 114 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 26 selections. */
+   Table 2. 129 operations: 18 additions, 19 subtractions, 11 multiplications, 2 square roots, 3 negations, 21 absolute values, 26 comparisons, 29 selections. */
 struct kernel_valid_out {
     double valid, undecided_time;
 };
@@ -327,47 +327,47 @@ static __device__ __forceinline__ kernel_valid_out kernel_valid(double last, dou
 {
     const double _s0 = sqrt(((x * x) + (y * y)));
     const double _s1 = _s0 - p_ring_radius;
-    const double _s2 = p_ball_radius + p_wire_radius;
-    const double _s3 = ((z * z) + (_s1 * _s1)) - (_s2 * _s2);
-    const bool _s4 = fabs(last) < 0.5;
-    const double _s5 = choose(_s4, 1.0, choose((0.0 <= _s3), 1.0, 0.0));
-    const double _s6 = p_ball_radius - p_board_distance;
-    const double _s7 = x - _s6;
-    const double _s8 = 2.0 * p_ball_radius;
-    const double _s9 = (_s6 - _s8) - x;
-    const double _s10 = larger(_s7, _s9);
-    const double _s11 = -(p_board_half_width + y);
-    const double _s12 = larger(_s10, _s11);
-    const double _s13 = y - p_board_half_width;
-    const double _s14 = larger(_s12, _s13);
-    const double _s15 = p_board_bottom - z;
-    const double _s16 = larger(_s14, _s15);
-    const double _s17 = z - p_board_top;
-    const double _s18 = larger(_s16, _s17);
-    const bool _s19 = fabs((last - 1.0)) < 0.5;
-    const double _s20 = choose(_s19, _s5, choose((0.0 <= _s18), _s5, 0.0));
-    const double _s21 = z - _s2;
-    const double _s22 = ((_s2 - _s8) - (2.0 * p_wire_radius)) - z;
-    const double _s23 = larger(_s21, _s22);
-    const double _s24 = -(p_bridge_half_width + y);
-    const double _s25 = larger(_s23, _s24);
-    const double _s26 = y - p_bridge_half_width;
-    const double _s27 = larger(_s25, _s26);
-    const double _s28 = p_ring_radius - _s0;
-    const double _s29 = larger(_s27, _s28);
-    const double _s30 = larger(_s29, x);
-    const double _s31 = -(p_board_distance + x);
-    const double _s32 = larger(_s30, _s31);
-    const bool _s33 = fabs((last - 2.0)) < 0.5;
-    const double _s34 = ((((fabs(p_board_bottom) + fabs(p_board_top)) + fabs(p_ball_radius)) + fabs(p_ring_radius)) + fabs(p_wire_radius)) + fabs(p_board_distance);
-    const double _s35 = ((((_s34 + fabs(p_board_half_width)) + fabs(p_bridge_half_width)) + fabs(p_end_depth)) + fabs(x)) + fabs(y);
-    const double _s36 = 1.7763568394002505e-15 * (_s35 + fabs(z));
-    const bool _s37 = fabs(_s3) <= (((4.0 * p_ball_radius) + (4.0 * p_wire_radius)) * _s36);
-    const double _s38 = choose(_s4, choose(_s37, 0.0, 1.0), choose(_s37, 1.0, 0.0));
-    const bool _s39 = fabs(_s18) <= _s36;
-    const double _s40 = choose(_s19, choose(_s39, _s38, 1.0), choose(_s39, 1.0, _s38));
-    const bool _s41 = fabs(_s32) <= _s36;
-    return {choose(_s33, _s20, choose((0.0 <= _s32), _s20, 0.0)), choose(_s33, choose(_s41, _s40, 1.0), choose(_s41, 1.0, _s40))};
+    const double _s2 = (z * z) + (_s1 * _s1);
+    const double _s3 = p_ball_radius + p_wire_radius;
+    const double _s4 = _s2 - (_s3 * _s3);
+    const bool _s5 = fabs(last) < 0.5;
+    const double _s6 = choose(_s5, 1.0, choose((0.0 <= _s4), 1.0, 0.0));
+    const double _s7 = p_ball_radius - p_board_distance;
+    const double _s8 = x - _s7;
+    const double _s9 = 2.0 * p_ball_radius;
+    const double _s10 = (_s7 - _s9) - x;
+    const double _s11 = larger(_s8, _s10);
+    const double _s12 = -(p_board_half_width + y);
+    const double _s13 = larger(_s11, _s12);
+    const double _s14 = y - p_board_half_width;
+    const double _s15 = larger(_s13, _s14);
+    const double _s16 = p_board_bottom - z;
+    const double _s17 = larger(_s15, _s16);
+    const double _s18 = z - p_board_top;
+    const double _s19 = larger(_s17, _s18);
+    const bool _s20 = fabs((last - 1.0)) < 0.5;
+    const double _s21 = choose(_s20, _s6, choose((0.0 <= _s19), _s6, 0.0));
+    const double _s22 = z - _s3;
+    const double _s23 = ((_s3 - _s9) - (2.0 * p_wire_radius)) - z;
+    const double _s24 = larger(_s22, _s23);
+    const double _s25 = -(p_bridge_half_width + y);
+    const double _s26 = larger(_s24, _s25);
+    const double _s27 = y - p_bridge_half_width;
+    const double _s28 = larger(_s26, _s27);
+    const double _s29 = p_ring_radius - _s0;
+    const double _s30 = larger(_s28, _s29);
+    const double _s31 = larger(_s30, x);
+    const double _s32 = -(p_board_distance + x);
+    const double _s33 = larger(_s31, _s32);
+    const bool _s34 = fabs((last - 2.0)) < 0.5;
+    const double _s35 = ((((fabs(p_board_bottom) + fabs(p_board_top)) + fabs(p_ball_radius)) + fabs(p_ring_radius)) + fabs(p_wire_radius)) + fabs(p_board_distance);
+    const double _s36 = ((((_s35 + fabs(p_board_half_width)) + fabs(p_bridge_half_width)) + fabs(p_end_depth)) + fabs(x)) + fabs(y);
+    const double _s37 = 1.7763568394002505e-15 * (_s36 + fabs(z));
+    const double _s38 = ((4.0 * p_ball_radius) + (4.0 * p_wire_radius)) * _s37;
+    const double _s39 = choose((fabs(((sqrt(_s2) - p_ball_radius) - p_wire_radius)) <= _s37), choose((_s4 <= _s38), 0.0, 1.0), 1.0);
+    const double _s40 = choose(_s5, _s39, choose((fabs(_s4) <= _s38), 1.0, 0.0));
+    const double _s41 = choose(_s20, choose((fabs(_s8) <= _s37), choose((_s19 <= _s37), _s40, 1.0), 1.0), choose((fabs(_s19) <= _s37), 1.0, _s40));
+    return {choose(_s34, _s21, choose((0.0 <= _s33), _s21, 0.0)), choose(_s34, choose((fabs(_s22) <= _s37), choose((_s33 <= _s37), _s41, 1.0), 1.0), choose((fabs(_s33) <= _s37), 1.0, _s41))};
 }
 
 /* Whether the ball starts near a surface; otherwise its start is valid and decided.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation dbdf4b87ee6d0a5a,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 9825af665afe78b0,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -2976,12 +2976,12 @@ def resumed(last: Any, position_error: Any, velocity_error: Any, clock: Any, mod
     return _where((mode == 5.0), last, -1.0), 0.0, clock, _where(_logical_and((position_error < _inf), (velocity_error < _inf)), _inf, 0.0), mode == 1.0, mode == 2.0, mode == 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
 
 
-def contact_undecided(last: Any, when: Any, which: Any, earliest_delay: Any, undecided_time: Any, uncertain: Any, edge: Any, assured: Any) -> tuple[Any, ...]:
-    """1 if a decision lies within its error, unless it only delays bounces on one surface.
+def contact_undecided(last: Any, when: Any, which: Any, earliest_delay: Any, undecided_time: Any, position_error: Any, velocity_error: Any, uncertain: Any, edge: Any, assured: Any) -> tuple[Any, ...]:
+    """1 if a decision lies within its error, unless that only delays bounces on a surface.
 
-    Table 1. 12 operations: 1 addition, 4 comparisons, 3 conjunctions, 1 disjunction, 2 complements, 1 selection.
+    Table 1. 16 operations: 1 addition, 6 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 1 selection.
     """
-    _s0 = _logical_and(_logical_or(_logical_and(_logical_not(((when + earliest_delay) < undecided_time)), (undecided_time < _inf)), edge), _logical_not(_logical_and((0.0 < assured), (which == last))))
+    _s0 = _logical_and(_logical_or(_logical_and(_logical_not(((when + earliest_delay) < undecided_time)), (undecided_time < _inf)), edge), _logical_not(_logical_and(_logical_and((0.0 < assured), (which == last)), _logical_and((position_error < _inf), (velocity_error < _inf)))))
     return _where(_s0, 1.0, uncertain),
 
 
@@ -12580,7 +12580,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _reached_1, = end_reached(_through_0, _g0_1)
     _edge_1, = end_edge(_slack_0, _through_0, _g0_1)
     _edge_0, _reached_0 = _choose(_here_0, (_edge_1, _reached_1,), (_edge_0, _reached_0,))
-    _uncertain_0, = contact_undecided(_last_0, _when_0, _which_0, _earliest_delay_0, _undecided_time_0, _uncertain_0, _edge_0, _assured_0)
+    _uncertain_0, = contact_undecided(_last_0, _when_0, _which_0, _earliest_delay_0, _undecided_time_0, _position_error_0, _velocity_error_0, _uncertain_0, _edge_0, _assured_0)
     _contacts_0, _outcome_0 = accounted(_contacts_0, _most_contacts_0, _reached_0, _touches_0)
     columns |= {"body": _body_0, "circled": _circled_0, "clock": _clock_0, "contacts": _contacts_0, "dvx": _dvx_0, "dvy": _dvy_0, "dvz": _dvz_0, "dwx": _dwx_0, "dwy": _dwy_0, "dwz": _dwz_0, "dx": _dx_0, "dy": _dy_0, "dz": _dz_0, "earliest_delay": _earliest_delay_0, "ends": _ends_0, "grip_lost": _grip_lost_0, "held": _held_0, "hopped": _hopped_0, "last": _last_0, "last_grip_clock": _last_grip_clock_0, "last_grip_deficit": _last_grip_deficit_0, "last_grip_deficit_rate": _last_grip_deficit_rate_0, "limited": _limited_0, "mode": _mode_0, "outcome": _outcome_0, "position_error": _position_error_0, "rolls": _rolls_0, "through": _through_0, "touches": _touches_0, "uncertain": _uncertain_0, "velocity_error": _velocity_error_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "when": _when_0, "which": _which_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }
 

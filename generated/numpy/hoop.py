@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 1a2afd0b5b720af3,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation d045c64f80c6d78c,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -990,52 +990,52 @@ def parameters_in_range(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: A
 def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """1 if the ball overlaps no surface; 1 if that is undecided.
 
-    Table 2. 114 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 26 selections.
+    Table 2. 129 operations: 18 additions, 19 subtractions, 11 multiplications, 2 square roots, 3 negations, 21 absolute values, 26 comparisons, 29 selections.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30 = _room[:31]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33 = _room[:34]
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s1 = _subtract(_s0, p_ring_radius, _r0)
-    _s2 = p_ball_radius + p_wire_radius
-    _s3 = _subtract(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0), _s2 * _s2, _r0)
-    _s4 = _absolute(last, _r2) < _k50
-    _s5 = _select(_s4, _k51, _select(_k7 <= _s3, _k51, _k7, _r2), _r3)
-    _s6 = p_ball_radius - p_board_distance
-    _s7 = _subtract(x, _s6, _r4)
-    _s8 = 2.0 * p_ball_radius
-    _s9 = _subtract(_s6 - _s8, x, _r5)
-    _s10 = _select(_s7 < _s9, _s9, _s7, _r6)
-    _s11 = _negative(_add(p_board_half_width, y, _r7), _r7)
-    _s12 = _select(_s10 < _s11, _s11, _s10, _r8)
-    _s13 = _subtract(y, p_board_half_width, _r9)
-    _s14 = _select(_s12 < _s13, _s13, _s12, _r10)
-    _s15 = _subtract(p_board_bottom, z, _r11)
-    _s16 = _select(_s14 < _s15, _s15, _s14, _r12)
-    _s17 = _subtract(z, p_board_top, _r13)
-    _s18 = _select(_s16 < _s17, _s17, _s16, _r14)
-    _s19 = _absolute(_subtract(last, _k51, _r15), _r15) < _k50
-    _s20 = _select(_s19, _s5, _select(_k7 <= _s18, _s5, _k7, _r15), _r16)
-    _s21 = _subtract(z, _s2, _r17)
-    _s22 = _subtract((_s2 - _s8) - (2.0 * p_wire_radius), z, _r18)
-    _s23 = _select(_s21 < _s22, _s22, _s21, _r19)
-    _s24 = _negative(_add(p_bridge_half_width, y, _r20), _r20)
-    _s25 = _select(_s23 < _s24, _s24, _s23, _r21)
-    _s26 = _subtract(y, p_bridge_half_width, _r22)
-    _s27 = _select(_s25 < _s26, _s26, _s25, _r23)
-    _s28 = _subtract(p_ring_radius, _s0, _r1)
-    _s29 = _select(_s27 < _s28, _s28, _s27, _r24)
-    _s30 = _select(_s29 < x, x, _s29, _r25)
-    _s31 = _negative(_add(p_board_distance, x, _r26), _r26)
-    _s32 = _select(_s30 < _s31, _s31, _s30, _r27)
-    _s33 = _absolute(_subtract(last, _k52, _r28), _r28) < _k50
-    _s34 = ((((_absolute(p_board_bottom) + _absolute(p_board_top)) + _absolute(p_ball_radius)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(p_board_distance)
-    _s35 = _add(_add(((_s34 + _absolute(p_board_half_width)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth), _absolute(x, _r28), _r28), _absolute(y, _r29), _r29)
-    _s36 = _multiply(_k53, _add(_s35, _absolute(z, _r28), _r28), _r28)
-    _s37 = _absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29)
-    _s38 = _select(_s4, _select(_s37, _k7, _k51, _r29), _select(_s37, _k51, _k7, _r0), _r30)
-    _s39 = _absolute(_s18, _r14) <= _s36
-    _s40 = _select(_s19, _select(_s39, _s38, _k51, _r14), _select(_s39, _k51, _s38, _r13), _r12)
-    _s41 = _absolute(_s32, _r11) <= _s36
-    return _result(_s33, _s20, _select(_k7 <= _s32, _s20, _k7, _r27), _r0), _result(_s33, _select(_s41, _s40, _k51, _r27), _select(_s41, _k51, _s40, _r16), _r0)
+    _s2 = _add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0)
+    _s3 = p_ball_radius + p_wire_radius
+    _s4 = _subtract(_s2, _s3 * _s3, _r2)
+    _s5 = _absolute(last, _r3) < _k50
+    _s6 = _select(_s5, _k51, _select(_k7 <= _s4, _k51, _k7, _r3), _r4)
+    _s7 = p_ball_radius - p_board_distance
+    _s8 = _subtract(x, _s7, _r5)
+    _s9 = 2.0 * p_ball_radius
+    _s10 = _subtract(_s7 - _s9, x, _r6)
+    _s11 = _select(_s8 < _s10, _s10, _s8, _r7)
+    _s12 = _negative(_add(p_board_half_width, y, _r8), _r8)
+    _s13 = _select(_s11 < _s12, _s12, _s11, _r9)
+    _s14 = _subtract(y, p_board_half_width, _r10)
+    _s15 = _select(_s13 < _s14, _s14, _s13, _r11)
+    _s16 = _subtract(p_board_bottom, z, _r12)
+    _s17 = _select(_s15 < _s16, _s16, _s15, _r13)
+    _s18 = _subtract(z, p_board_top, _r14)
+    _s19 = _select(_s17 < _s18, _s18, _s17, _r15)
+    _s20 = _absolute(_subtract(last, _k51, _r16), _r16) < _k50
+    _s21 = _select(_s20, _s6, _select(_k7 <= _s19, _s6, _k7, _r16), _r17)
+    _s22 = _subtract(z, _s3, _r18)
+    _s23 = _subtract((_s3 - _s9) - (2.0 * p_wire_radius), z, _r19)
+    _s24 = _select(_s22 < _s23, _s23, _s22, _r20)
+    _s25 = _negative(_add(p_bridge_half_width, y, _r21), _r21)
+    _s26 = _select(_s24 < _s25, _s25, _s24, _r22)
+    _s27 = _subtract(y, p_bridge_half_width, _r23)
+    _s28 = _select(_s26 < _s27, _s27, _s26, _r24)
+    _s29 = _subtract(p_ring_radius, _s0, _r1)
+    _s30 = _select(_s28 < _s29, _s29, _s28, _r25)
+    _s31 = _select(_s30 < x, x, _s30, _r26)
+    _s32 = _negative(_add(p_board_distance, x, _r27), _r27)
+    _s33 = _select(_s31 < _s32, _s32, _s31, _r28)
+    _s34 = _absolute(_subtract(last, _k52, _r29), _r29) < _k50
+    _s35 = ((((_absolute(p_board_bottom) + _absolute(p_board_top)) + _absolute(p_ball_radius)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(p_board_distance)
+    _s36 = _add(_add(((_s35 + _absolute(p_board_half_width)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth), _absolute(x, _r29), _r29), _absolute(y, _r30), _r30)
+    _s37 = _multiply(_k53, _add(_s36, _absolute(z, _r29), _r29), _r29)
+    _s38 = _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s37, _r30)
+    _s39 = _select(_absolute(_subtract(_subtract(_sqrt(_s2, _r0), p_ball_radius, _r0), p_wire_radius, _r0), _r0) <= _s37, _select(_s4 <= _s38, _k7, _k51, _r0), _k51, _r31)
+    _s40 = _select(_s5, _s39, _select(_absolute(_s4, _r2) <= _s38, _k51, _k7, _r2), _r30)
+    _s41 = _select(_s20, _select(_absolute(_s8, _r32) <= _s37, _select(_s19 <= _s37, _s40, _k51, _r32), _k51, _r33), _select(_absolute(_s19, _r15) <= _s37, _k51, _s40, _r15), _r14)
+    return _result(_s34, _s21, _select(_k7 <= _s33, _s21, _k7, _r13), _r0), _result(_s34, _select(_absolute(_s22, _r13) <= _s37, _select(_s33 <= _s37, _s41, _k51, _r13), _k51, _r17), _select(_absolute(_s33, _r28) <= _s37, _k51, _s41, _r28), _r0)
 
 
 def aside(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:

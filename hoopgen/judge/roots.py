@@ -268,7 +268,8 @@ def _enclose_root(condition: Polynomial, low: arb, high: arb) -> Arrival:
     residue = condition(middle)
     step = residue / slope(middle)
     if step.is_finite():
-        room = middle + arb(0, (2 * step.abs_upper()) + arb(2) ** -(2 * ctx.prec))
+        rounding = abs(middle) * arb(2) ** (2 - ctx.prec) + arb(2) ** -(2 * ctx.prec)
+        room = middle + arb(0, (2 * step.abs_upper() + rounding).upper())
         enclosure = middle - residue / slope(room)
         if enclosure.is_finite() and room.contains(enclosure) and low <= room and room <= high:
             return Arrival(enclosure)

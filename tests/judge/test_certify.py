@@ -43,7 +43,7 @@ from hoopgen.judge.pieces import next_piece
 from hoopgen.judge.proof import doubles, enclosure
 from hoopgen.judge.roots import Arrival, first_arrival, sign_changes
 from hoopgen.judge.settle import settle
-from hoopgen.scene import Plane, Scene, Sphere
+from hoopgen.scene import Cylinder, Plane, Scene, Sphere
 from tests.helpers import ROOT
 from tests.helpers.hoop_shots import Batch
 from tests.helpers.march import Flown
@@ -946,6 +946,16 @@ def test_bounces_without_a_loss_do_not_accumulate() -> None:
     assert certificate.decided.all()
     assert certificate.outcome[0] == hoopgen.COURT.outcomes["CAPPED"]
     assert certificate.agrees(shots).all()
+
+
+def test_a_root_of_a_short_polynomial_is_enclosed_at_the_first_precision() -> None:
+    """All of its numbers are exact, so that Newton's last step is less than the roundings."""
+    pipe = Cylinder("pipe", radius=0.5, centre=(0.1, 0, 0.29), axis="x", inside=True, restitution=1)
+    scene = Scene("weightless", bodies=[pipe], ball_radius=0.02, gravity=0, restitution=0)
+    there = [-0.3, 0.125, 0.75, -1, -1, -1, 0, 0, 0]
+    proof = certify(there, scene=scene, max_contacts=5, time_limit=5)
+    assert proof.decided[0]
+    assert proof.bits[0] == 128
 
 
 def rolling_file(folder: Path) -> Path:

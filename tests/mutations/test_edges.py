@@ -95,6 +95,12 @@ off_body = OfEngine(
     given=((test_starts_on_bodies.falling(60),),),
     scene=test_starts_on_bodies.FUNNEL,
 )
+behind_shell = OfEngine(
+    test_starts_on_bodies.check_balls_behind_a_shell, scene=test_starts_on_bodies.SHELL
+)
+without_bounds = OfEngine(
+    test_starts_on_bodies.check_errors_without_bounds, scene=test_starts_on_bodies.SUPERBALL
+)
 on_edge = OfFormulas(
     test_jump.test_at_an_edge_the_velocity_is_off_by_the_change_of_the_force_times_the_delay,
 )
@@ -337,14 +343,31 @@ FAULTS = (
     ),
     Planted(
         "a ball may be off the surface that it leaves, where none puts it on",
-        in_text(
-            validity, "_with_surface", "rounding, undecided, 1)", "rounding, undecided, undecided)"
-        ),
+        in_text(validity, "_with_surface", "if not is_put_on:", "if False:"),
         off_body,
     ),
     Planted(
+        "a ball is on a body where the largest of distance, thickness and bounds is zero",
+        in_text(validity, "_with_surface", "IfAtMost(distance, slack,", "IfAtMost(0, slack,"),
+        behind_shell,
+    ),
+    Planted(
+        "a ball is on a body also beyond its bounds",
+        in_text(
+            validity, "_with_surface", "IfAtMost(overlap, rounding, undecided, 1)", "undecided"
+        ),
+        behind_shell,
+    ),
+    Planted(
+        "errors without bounds do not matter where bounces end",
+        in_text(
+            contact_phase, "_contact_decisions", "Equal(which, last), bounded", "Equal(which, last)"
+        ),
+        without_bounds,
+    ),
+    Planted(
         "a ball is on all surfaces of the body that it leaves",
-        in_text(validity, "_with_surface", "if several and not is_put_on", "if False"),
+        in_text(validity, "_with_surface", "if several:  #", "if False:  #"),
         off_body,
     ),
     Planted(

@@ -263,6 +263,29 @@ def test_c_and_numpy_give_the_same_bits(which: str) -> None:
         assert len({found.tobytes() for found in both}) == 1, name
 
 
+def test_a_bound_that_holds_at_the_apex_of_a_cone_is_none_there() -> None:
+    """A ball on the apex touches one point, where z <= 0 holds as 0 <= 0."""
+    body = Cone("tent", within=["z"], axis="-z", half_angle="45deg", span=(0, 0.4))
+    scene = Scene(
+        "tent",
+        bodies=[body],
+        ball_radius=0.1,
+        gravity=9.81,
+        restitution=0.5,
+        ends={"gone": End(at=-3)},
+    )
+    states = np.zeros((40, 9))
+    states[:, :2] = np.random.default_rng(4).normal(0, 0.2, (40, 2))
+    states[:20, 0] /= 1000
+    states[:20, 1], states[:, 2] = 0, 1
+    states[0, 2] = 0.05
+    shots = hoopgen.simulate(states, scene=scene, record=True, max_contacts=3)
+    proofs = hoopgen.certify(states, scene=scene, max_contacts=3)
+    assert np.all(proofs.agrees(shots))
+    assert shots.outcome.tolist().count(int(shots.outcome[0])) == 1  # INVALID, inside the tent
+    assert np.mean(shots.contacts > 0) > 0.5
+
+
 def test_a_bound_of_contacts_is_a_length() -> None:
     """A bound changes by at most the way of the centre, and hardly by the roundings of its formula.
 

@@ -541,6 +541,67 @@ def test_a_ball_off_a_body_that_it_leaves_where_none_rolls_is_uncertain(
     check_balls_off_a_body(engine, throw[engine.name](trials(100, at_least=60)), backend)
 
 
+SHELL = Scene(
+    "shell_and_dome",
+    bodies=[
+        Cylinder("pipe", radius=0.5, axis="x", span=(-1, 1), inside=True),
+        Sphere("dome", radius=0.5, centre=(3, 0, -0.5), within=["x - 3"]),
+    ],
+    ball_radius=0.125,
+    gravity=GRAVITY,
+    restitution=0.5,
+    ends={"past": End(at=-2)},
+)
+"""A shell that balls touch from inside, and half a sphere."""
+
+
+SUPERBALL = Scene(
+    "superball_without_a_bounce",
+    bodies=[Sphere("dome", radius=0.5)],
+    ball_radius=0.02,
+    gravity=GRAVITY,
+    restitution=0,
+    tangential=1,
+    rolls=True,
+)
+"""A body on which friction turns a ball back and forth on the spot, so that its errors grow."""
+
+
+def check_balls_behind_a_shell(engine: Engine, backend: BackendName = "auto") -> None:
+    """A ball behind a shell, below a bound or beyond one is on neither; others are on the body."""
+    states = np.zeros((5, 9))
+    states[:, 0] = [0, 3, 3 + 5e-5, 3, 0]
+    states[:, 2] = [-0.5 - 0.125, 0.125 - 6.25e-5, 0, 0.125, 0.125 - 0.5]
+    states[:, 3], states[:, 5] = [0.1, 0.5, -0.5, -0.5, 0.1], [-1, 1, 1, 1, 1]
+    states[2, 2] = math.sqrt(0.625**2 - (states[2, 0] - 3) ** 2) - 0.5
+    leaving = ["pipe", "dome", "dome", "dome", "pipe"]
+    given: dict[str, Any] = {"max_contacts": 3, "leaving": leaving}
+    shots = hoopgen.simulate(states, scene=engine, backend=backend, record=True, **given)
+    assert shots.uncertain.tolist() == [True, True, True, False, False]
+    assert np.all(certify(states, scene=SHELL, **given).agrees(shots))
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_a_ball_behind_a_shell_or_below_a_bound_is_not_on_the_body(backend: BackendName) -> None:
+    """There another expression than the distance is zero: the shell's thickness, or a bound."""
+    check_balls_behind_a_shell(hoopgen.compile(SHELL), backend)
+
+
+def check_errors_without_bounds(engine: Engine) -> None:
+    """Whatever has no bounds is uncertain, and some shots have none."""
+    states = np.zeros((40, 9))
+    states[:, 0], states[:, 2] = np.linspace(0.01, 0.4, 40), 1
+    fields = ("outcome", "uncertain", "time_error", "state_error")
+    shots = engine.simulate(states, max_contacts=8, time_limit=3, fields=fields)
+    known = np.isfinite(shots.time_error) & np.isfinite(shots.state_error).all(axis=1)
+    assert not np.all(known)
+    assert np.all(shots.uncertain | known)
+
+
+def test_a_ball_whose_errors_have_no_bounds_is_uncertain_also_where_its_bounces_end() -> None:
+    check_errors_without_bounds(hoopgen.compile(SUPERBALL))
+
+
 def test_a_shot_goes_on_from_where_a_ball_has_left_a_body() -> None:
     """There the force on it vanishes to roundings, and friction would not suffice for rolling."""
     states = free_throw(trials(20_000, 4_000))
