@@ -36,6 +36,7 @@ from ..state.shared_kernels import (
     parameter_variables,
     take_parameters,
 )
+from ..symbolic.symbols import variable
 from .loop import REVIEW, TIGHTENING, Loop
 from .predicates import GOES_ON
 
@@ -190,6 +191,8 @@ def _detect(
         )
     if "piece_end" in common:
         yield Call(common["sinks"], {"index": piece_end})
+        if sinks := tuple(_sinks_at_limit(common, time)):
+            yield from on_surface(common, time, *sinks, rare=True)
     yield Call(common["departed"], {"index": len(contacts)})
     yield Call(common["body_of"])
     if "piece_end" in common:
@@ -226,6 +229,29 @@ def _piece_end(
     """Return the index of the end of a piece, after those of all other events."""
     surfaces = len(contacts) + len(end_planes)
     return EventCodes(surfaces, 0).piece_end if "in_contact" in common else surfaces + 1
+
+
+def _sinks_at_limit(common: Parts, time: int) -> Iterator[Node]:
+    """Test whether a ball that reaches the time limit can meet anything, at the place where it is.
+
+    At the beginning of its piece that was not known. Where pieces begin is no property of the shot.
+    """
+    asked = common["piece_end"]
+    names = (*"xyz", "vx", "vy", "vz", "extent", "speed")
+    then = {name: f"then_{name}" for name in names}
+    inputs = {n: v for n, v in then.items() if n in set(map(variable, asked.arguments))}
+    if not inputs:
+        return
+    for kernel, given_at in (
+        (common["flight"], {"t": "when"}),
+        (common["scale"], {n: then[n] for n in names[:6]}),
+    ):
+        outputs = {n: then[n] for n in kernel.output_names if n in then}
+        known = set(map(variable, kernel.arguments))
+        moved = {n: v for n, v in given_at.items() if n in known}
+        yield Call(kernel, moved, outputs, frozenset(outputs))
+    yield Call(asked, inputs, {"sunk": "sunk_then"}, frozenset({"sunk"}))
+    yield Call(common["sinks"], {"index": time, "sunk": "sunk_then"})
 
 
 def _plate(common: Parts, kind: SurfaceKind) -> bool:

@@ -152,6 +152,9 @@ def _follow(
         if sizes is not None:
             through = _through(through, sizes, legs, before)
         timed = last == len(formulas.surfaces)
+        if timed and meets_nothing(formulas, before, values):
+            flown.found.pop()
+            return
         flown.time = arb(time_limit) if timed else flown.time + time
         if last >= formulas.faces:
             flown.state = before

@@ -36,6 +36,7 @@ from tests.derive.events import test_own_surfaces
 from tests.helpers.checked_faults import OfEngine, OfFormulas, Planted, cases, passing, tripping
 from tests.helpers.mutants import in_text, in_tree
 from tests.scene import (
+    test_air,
     test_behind_cones,
     test_friction_switch,
     test_leaning_table,
@@ -547,6 +548,11 @@ FAULTS = (
         "the flight's size does not count before a single body",
         in_text(bounding_boxes, "_apart", "wide + reaches[k]", "wide"),
         posts,
+    ),
+    Planted(
+        "whether a ball has sunk is not asked at the time limit",
+        in_text(event_loop, "_sinks_at_limit", "if not inputs:", "if True:"),
+        OfEngine(test_air.check_sunken_balls, scene=test_air.SUNKEN),
     ),
     # Roots on flat and on large bodies.
     Planted(

@@ -13,7 +13,7 @@ from scipy.integrate import solve_ivp
 
 import hoopgen
 from hoopgen.core.parameters import AIR_DEFAULTS
-from hoopgen.scene import End, Parameter, Plane, Scene, SceneError, Sphere
+from hoopgen.scene import End, Parameter, Plane, Scene, SceneError, Sphere, Torus
 from hoopgen.scene.files import parse_scene
 from hoopgen.simulation.engine import Engine
 from tests.helpers.effort import trials
@@ -281,3 +281,35 @@ def test_bodies_of_all_kinds_are_met_as_without_air() -> None:
     off = np.abs(own.state - other.state)[moving].reshape(-1, 3, 3).max(axis=2)
     assert (off <= (own.state_error + other.state_error)[moving]).all()
     assert set(np.unique(own.first[moving])) >= set(range(len(AROUND)))
+
+
+SUNKEN = Scene(
+    "ring_above_sunken_balls",
+    bodies=[Torus("ring", radius=0.235, wire=0.01)],
+    ends={"past": End(at=-2), "within": End(at=-0.5, within=["x**2 + y**2 - 0.05"])},
+    ball_radius=0.12,
+    gravity=9.81,
+    restitution=0.7,
+    air=True,
+)
+"""A ring and ends, which balls that rise from below mostly do not come up to."""
+
+
+def check_sunken_balls(engine: Engine) -> None:
+    """Whether a ball that can meet nothing any more is SHORT does not depend on its pieces."""
+    random, count, limit = np.random.default_rng(0), trials(40, at_least=30), 0.2
+    states = np.zeros((count, 9))
+    states[:, :2] = random.uniform([0, -2], [3, 2], (count, 2))
+    states[:, 2], states[:, 3:5] = -3, random.normal(0, 0.5, (count, 2))
+    states[:, 5] = 9.81 * limit * random.uniform(0.85, 1.05, count)  # highest about the limit
+    shots = engine.simulate(states, time_limit=limit, record=True)
+    proofs = engine.certify(states, time_limit=limit, processes=1)
+    assert np.all(proofs.agrees(shots))
+    assert not np.any(shots.uncertain)
+    for outcome in ("SHORT", "ENDLESS"):
+        assert np.mean(shots.outcome == engine.outcomes[outcome]) > 0.2
+
+
+def test_a_ball_that_has_sunk_at_the_time_limit_is_short() -> None:
+    pytest.importorskip("flint")
+    check_sunken_balls(hoopgen.compile(SUNKEN))
