@@ -296,7 +296,7 @@ SUNKEN = Scene(
 
 
 def check_sunken_balls(engine: Engine) -> None:
-    """Whether a ball that can meet nothing any more is SHORT does not depend on its pieces."""
+    """A ball that can meet nothing any more is SHORT, wherever its pieces begin."""
     random, count, limit = np.random.default_rng(0), trials(40, at_least=30), 0.2
     states = np.zeros((count, 9))
     states[:, :2] = random.uniform([0, -2], [3, 2], (count, 2))
