@@ -237,9 +237,10 @@ def _sinks_at_limit(common: Parts, time: int) -> Iterator[Node]:
     At the beginning of its piece that was not known. Where pieces begin is no property of the shot.
     """
     asked = common["piece_end"]
+    arguments = set(map(variable, asked.arguments))
     names = (*"xyz", "vx", "vy", "vz", "extent", "speed")
     then = {name: f"then_{name}" for name in names}
-    inputs = {n: v for n, v in then.items() if n in set(map(variable, asked.arguments))}
+    inputs = {n: v for n, v in then.items() if n in arguments}
     if not inputs:
         return
     for kernel, given_at in (

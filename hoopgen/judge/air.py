@@ -29,7 +29,7 @@ from hoopgen.derive.motion.air import AirFlight
 from hoopgen.derive.motion.air_series import drag_rate, free_fall, magnus_rate
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.scenes.sinking import sinks
-from hoopgen.derive.symbolic.conditionals import release
+from hoopgen.derive.symbolic.conditionals import Not, release
 from hoopgen.derive.symbolic.rounding import extent, speed
 from hoopgen.derive.symbolic.symbols import POSITION, SPIN, VELOCITY
 
@@ -66,7 +66,8 @@ class AirFormulas:
     jacobian
         As `force`, to the nine derivatives of f(v, √q(v)) by v.
     sinks
-        (state, rates, parameters) to a list of one: True if the ball certainly meets nothing again.
+        (state, rates, parameters) to whether the ball certainly sinks (`derive.scenes.sinking`),
+        and whether it certainly does not.
     """
 
     rates: Function
@@ -96,6 +97,7 @@ def air_formulas(scene: Scene) -> AirFormulas:
     sizes = {extent: sum(map(sp.Abs, POSITION)), speed: sum(map(sp.Abs, VELOCITY))}
     constants = flight.rates()
     state, parameters = (*POSITION, *VELOCITY, *SPIN), scene.symbols
+    sunk = sinks(scene).xreplace(sizes)
 
     def of_velocity(expressions: Sequence[sp.Expr]) -> Function:
         return compile_expressions(expressions, VELOCITY, (through,), RATES, parameters)
@@ -106,7 +108,7 @@ def air_formulas(scene: Scene) -> AirFormulas:
         of_velocity(force),
         of_velocity(by_speed),
         of_velocity(jacobian),
-        compile_expressions([sinks(scene).xreplace(sizes)], state, RATES, parameters),
+        compile_expressions([sunk, Not(sunk)], state, RATES, parameters),
     )
 
 

@@ -89,8 +89,6 @@ def first_on_piece(
     if remaining is not None and open_ended:
         arrivals[limit], latest = Arrival(remaining), latest.min(remaining.upper())
     for parts in formulas.order:
-        if last not in parts and _is_missed(formulas, parts, piece, values, latest):
-            continue
         for k in _reached(formulas, parts, piece, values, last, latest):
             zeros = vanishing if k == last else 0
             arrival = _arrival(formulas, k, piece, values, zeros, latest)
@@ -131,15 +129,6 @@ def _arrival(
     return arrival if closer is not None and not closer.certain and arrival.certain else closer
 
 
-def _is_missed(
-    formulas: Formulas, parts: Sequence[int], piece: Piece, values: list[arb], latest: arb
-) -> bool:
-    """Return whether a flight certainly misses a body of several parts up to a time."""
-    if len(parts) < 2 or piece.has_models or not latest.is_finite():
-        return False
-    return misses_body(formulas, parts[0], piece, values, 0.0, -_float_below(-latest))
-
-
 def _reached(
     formulas: Formulas,
     parts: Sequence[int],
@@ -148,9 +137,12 @@ def _reached(
     last: int,
     latest: arb,
 ) -> Iterator[int]:
-    """Yield the parts of a body, but for those within whose bounds no flight certainly comes."""
+    """Yield the parts of a body that a flight may come to up to a time: of several, not all."""
     if len(parts) < 2 or piece.has_models or not latest.is_finite():
         yield from parts
+        return
+    until = -_float_below(-latest)
+    if last not in parts and misses_body(formulas, parts[0], piece, values, 0.0, until):
         return
     there = piece.at(arb(0).union(latest))
     for k in parts:

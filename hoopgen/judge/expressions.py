@@ -21,7 +21,10 @@ from hoopgen.derive.symbolic.conditionals import (
     IfAtMost,
     IfLess,
     Less,
+    Not,
     Or,
+    all_of,
+    any_of,
 )
 
 from .taylor_model import TaylorModel
@@ -37,8 +40,8 @@ def compile_expressions(
     Parameters
     ----------
     expressions
-        Sums, products, powers by whole and half numbers, absolute values, choices; comparisons
-        and their conjunctions and disjunctions, which are true only where balls prove them.
+        Sums, products, powers by whole and half numbers, absolute values, choices; comparisons,
+        their negations, conjunctions and disjunctions, which are true only where balls prove them.
     arguments
         The symbols of each argument, in the order of its items.
 
@@ -70,6 +73,22 @@ def _choose(holds: bool, fails: bool, then: Any, other: Any) -> Any:
     if isinstance(then, TaylorModel):
         return then.hull(other)
     return arb.nan()
+
+
+def _opposite(condition: sp.Basic) -> sp.Basic:
+    """Return a condition that holds exactly where another one, of comparisons, does not."""
+    match condition:
+        case Less(args=(left, right)):
+            return AtMost(right, left)
+        case AtMost(args=(left, right)):
+            return Less(right, left)
+        case And(args=parts):
+            return any_of(*map(_opposite, parts))
+        case Or(args=parts):
+            return all_of(*map(_opposite, parts))
+        case False_():
+            return AtMost(0, 0)
+    raise TypeError(f"no ball arithmetic for the opposite of {condition}")
 
 
 class _Writer:
@@ -113,6 +132,8 @@ class _Writer:
             relation = {Less: "<", AtMost: "<=", And: "and", Or: "or"}[type(expression)]
             left, right = (self.write(part) for part in expression.args)
             return f"{left} {relation} {right}"
+        if isinstance(expression, Not):
+            return self.write(_opposite(expression.args[0]))
         if isinstance(expression, False_):
             return "False"
         if expression is sp.oo:

@@ -148,13 +148,16 @@ def _follow(
         if found is None:
             return
         last, time, before, legs = found
-        flown.found.append((last, time))
         if sizes is not None:
             through = _through(through, sizes, legs, before)
         timed = last == len(formulas.surfaces)
-        if timed and meets_nothing(formulas, before, values):
-            flown.found.pop()
-            return
+        if timed:
+            sunk = meets_nothing(formulas, before, values)
+            if sunk is None:
+                raise Undecided("whether the ball has sunk at the time limit")
+            if sunk:
+                return
+        flown.found.append((last, time))
         flown.time = arb(time_limit) if timed else flown.time + time
         if last >= formulas.faces:
             flown.state = before

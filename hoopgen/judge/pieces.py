@@ -111,8 +111,10 @@ def next_piece(formulas: Formulas, state: Sequence[Number], values: list[arb]) -
     return Piece(state, path, arb.pos_inf())
 
 
-def meets_nothing(formulas: Formulas, state: Sequence[Number], values: list[arb]) -> bool:
-    """Return True if the ball flies through air and certainly meets nothing again.
+def meets_nothing(formulas: Formulas, state: Sequence[Number], values: list[arb]) -> bool | None:
+    """Return whether a ball that flies through air sinks, and meets nothing again.
+
+    None if that is undecided; False without air.
 
     Parameters
     ----------
@@ -120,4 +122,7 @@ def meets_nothing(formulas: Formulas, state: Sequence[Number], values: list[arb]
         As for `hoopgen.judge.flight.left_by`.
     """
     air = formulas.air
-    return air is not None and bool(air.sinks(state, air.rates(state, values), values)[0])
+    if air is None:
+        return False
+    certain, impossible = air.sinks(state, air.rates(state, values), values)
+    return True if certain else False if impossible else None

@@ -268,6 +268,7 @@ def _enclose_root(condition: Polynomial, low: arb, high: arb) -> Arrival:
     residue = condition(middle)
     step = residue / slope(middle)
     if step.is_finite():
+        # Of a short exact polynomial the step may be smaller than the roundings of the enclosure.
         rounding = abs(middle) * arb(2) ** (2 - ctx.prec) + arb(2) ** -(2 * ctx.prec)
         room = middle + arb(0, (2 * step.abs_upper() + rounding).upper())
         enclosure = middle - residue / slope(room)

@@ -22,7 +22,7 @@ import hoopgen
 from hoopgen.judge import Certificate, certify
 from hoopgen.judge import air as air_pieces
 from hoopgen.judge.formulas import formulas
-from hoopgen.judge.pieces import Piece, next_piece
+from hoopgen.judge.pieces import Piece, meets_nothing, next_piece
 
 CLAIMS = ("time_error", "state_error", "outcome", "uncertain", "time", "state", "contacts")
 VALUES = [float(parameter.default) for parameter in SCENE.parameters]
@@ -267,3 +267,16 @@ def test_polynomials_of_a_flight_without_air_are_the_parabola() -> None:
     assert [len(p) for p in piece.path] == [2, 2, 3]
     assert isinstance(piece.path[2], arb_poly)
     assert piece.path[2][2].overlaps(-arb(9.81) / 2)
+
+
+def test_whether_a_ball_has_sunk_is_proved_both_ways() -> None:
+    """A ball that may rise or fall is undecided."""
+    own, values = formulas(SCENE), [arb(value) for value in VALUES]
+    place = [arb(component) for component in (2.0, 0.0, -3.0)]
+    spin = [arb(0)] * 3
+
+    def sunk(rise: arb) -> bool | None:
+        return meets_nothing(own, [*place, arb(0), arb(0), rise, *spin], values)
+
+    assert [sunk(arb(-1)), sunk(arb(1)), sunk(arb(0, 1))] == [True, False, None]
+    assert sunk(arb(-0.5, 0.4)) is True

@@ -397,7 +397,7 @@ FAULTS = (
     ),
     Planted(
         "a body is missed that is at the start",
-        in_text(earliest, "_is_missed", "-_float_below(-latest)", "2.0**-20"),
+        in_text(earliest, "_reached", "-_float_below(-latest)", "2.0**-20"),
         left_out,
     ),
     Planted(

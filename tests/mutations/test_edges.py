@@ -92,7 +92,7 @@ starts = {
 }
 off_body = OfEngine(
     test_starts_on_bodies.check_balls_off_a_body,
-    given=((test_starts_on_bodies.falling(60),),),
+    given=((test_starts_on_bodies.drops(60),),),
     scene=test_starts_on_bodies.FUNNEL,
 )
 behind_shell = OfEngine(

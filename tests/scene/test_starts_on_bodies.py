@@ -521,7 +521,7 @@ def check_balls_off_a_body(
     assert np.mean(settled.uncertain) < 0.05
 
 
-def falling(count: int, reach: float = 0.15) -> NDArray[np.float64]:
+def drops(count: int, reach: float = 0.15) -> NDArray[np.float64]:
     """Return states of balls that fall onto the funnel, or onto other bodies that reach further."""
     rng = np.random.default_rng(12)
     states = np.zeros((count, 9))
@@ -536,7 +536,7 @@ def test_a_ball_off_a_body_that_it_leaves_where_none_rolls_is_uncertain(
     scene: Any, backend: BackendName
 ) -> None:
     """Nothing says which of them is where it is; the judge takes it to be the ball."""
-    throw = {"hoop": free_throw, FUNNEL.name: falling, SPHERES.name: partial(falling, reach=2.1)}
+    throw = {"hoop": free_throw, FUNNEL.name: drops, SPHERES.name: partial(drops, reach=2.1)}
     engine = hoopgen.compile(scene)
     check_balls_off_a_body(engine, throw[engine.name](trials(100, at_least=60)), backend)
 
