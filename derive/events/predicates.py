@@ -167,6 +167,8 @@ _falling = any_of(Less(rate, 0), all_of(AtMost(rate, rate_margin), Less(bend, 0)
 _clears = all_of(_falling, Less(0, clearance))
 _strikes = all_of(_falling, any_of(AtMost(gap - margin, margin), Less(0, clearance)))
 _unclear = all_of(_strikes, Not(_clears), Less(0, share))
+# Bounces that end on this surface for certain are not flagged, whatever is uncertain of a return.
+_refines = Or(certain, all_of(Less(0, leaving), Less(rate, 0)))
 _grazes = all_of(AtMost(0, apex), AtMost(absolute(height), margin))
 _graze_delay = 3 * sp.sqrt(barrier(margin / barrier(IfLess(0, absolute(bend), absolute(bend), 1))))
 _still = all_of(Less(t, end), Not(Less(t, following)))
@@ -406,10 +408,10 @@ KERNELS = {
         decision(
             "refined_root",
             {
-                "arrival": Choose(certain, refined, arrival),
-                "refining": all_of(certain, Less(CONVERGED * rate**2, ceiling * absolute(gap))),
+                "arrival": Choose(_refines, refined, arrival),
+                "refining": all_of(_refines, Less(CONVERGED * rate**2, ceiling * absolute(gap))),
             },
-            "A certain root, refined, and whether h is above 2^-24, so that it is refined again.",
+            "A certain root or a return, refined; whether h is above 2^-24, so that it is again.",
         ),
         decision(
             "own_margin",
@@ -432,10 +434,11 @@ KERNELS = {
                 "delay": Choose(all_of(certain, Less(0, clearance)), delay, 0),
                 "undecided_time": earlier(
                     all_of(arrives, Not(all_of(certain, Less(0, clearance)))),
-                    Choose(certain, time - delay, time),
+                    Choose(certain, time - delay, minimum(t, time)),
                 ),
             },
-            "Delay of a certain arrival; the earliest undecided time, with that of any other one.",
+            "Delay of a certain arrival; the earliest undecided time, with where the search of any "
+            "other one stands.",
         ),
         decision(
             "outside",

@@ -128,7 +128,7 @@ def kernels(
         *edge_kernels(flight, ball, codes),
         *(apex_kernels(ball.radius, codes) if revolved else ()),
         *neighbour_kernels(ball.radius, revolved),
-        *start_kernels(holders, ball),
+        *start_kernels(holders, ball, flight.strength),
         *_flight_decisions(edges, not flight.exact),
         *_contact_decisions(codes, edges, oblique, revolved, tori),
         *_results(faces, codes, outcomes, edges, revolved),

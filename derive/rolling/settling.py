@@ -17,7 +17,7 @@ from ..contact.ball import Ball
 from ..contact.law import Law
 from ..ir.kernel import Kernel, decision, loop_kernel
 from ..motion.flight import Flight
-from ..motion.rolling_series import per_width
+from ..motion.rolling_series import per_reach, per_width
 from ..symbolic.conditionals import (
     AtMost,
     Choose,
@@ -36,7 +36,7 @@ from ..symbolic.conditionals import (
 )
 from ..symbolic.rounding import position_error, velocity_error
 from ..symbolic.symbols import UNIT_ROUNDOFF, normal, spin, velocity
-from .start import parts_at_start
+from .start import Start
 from .symbols import (
     bounce,
     gap,
@@ -165,7 +165,7 @@ def settling(law: Law, ball: Ball, flight: Flight, revolved: bool = False) -> Ke
         moved = barrier(4 * rolling_friction * skip**2 / loss + skip * bounce / 2)
         over = all_of(bounces_on, AtMost(moved, allowed))
         slides = all_of(over, Or(Less(stopped, slip), Less(available, required)))
-        slip_error = barrier(16 * velocity_error)
+        slip_error = barrier(8 * velocity_error)
         undecided_slip = all_of(
             over,
             Or(
@@ -180,35 +180,68 @@ def settling(law: Law, ball: Ball, flight: Flight, revolved: bool = False) -> Ke
     # Beside a surface that does not hold it, a ball that hardly moves until the bounces end rolls
     # from where it is. Which surface it would touch first meanwhile is undecided.
     still = AtMost(way, narrow)
-    undecided_press = AtMost(absolute(press), barrier(4 * (turns + slope) * velocity_error))
+    undecided_press = _undecided_force(flight.gravity + disturbance, speed + slip, slope)
     near_limit = barrier(absolute(offset - allowed) * bounce)
-    parts = parts_at_start(barrier(flight.gravity + disturbance + speed * turns), rounding)
+    start = Start(flight.strength, ball.radius)
     # Without restitution the speed off the surface is a rounding, and no error before changes it.
     undecided_bounce = all_of(
-        AtMost(near_limit, barrier(2 * allowed * velocity_error)), Less(0, barrier(e * bounce))
+        AtMost(near_limit, barrier(2 * allowed * velocity_error)),
+        Less(0, barrier(e * bounce)),
+        Not(start.along),
     )
     return loop_kernel(
         f"{law.name}_settling",
         {
-            "settles": all_of(stays, Not(wedged), Or(isolated, still), Not(parts)),
-            "lodges": all_of(stays, wedged, Not(parts)),
-            "slides": all_of(slides, Not(parts)),
-            "unpressed": Or(all_of(AtMost(bounce, rounding), AtMost(0, lift)), parts),
+            "settles": all_of(stays, Not(wedged), Or(isolated, still), Not(start.departs)),
+            "lodges": all_of(stays, wedged, Not(start.departs)),
+            "slides": all_of(slides, Not(start.departs)),
+            "unpressed": Or(
+                all_of(AtMost(bounce, rounding), AtMost(0, lift), Not(start.enters)), start.departs
+            ),
             "assured": Choose(Or(all_of(presses, isolated), bounces_on), 1, 0),
-            "undecided": all_of(
-                any_of(
-                    undecided_press,
-                    undecided_bounce,
-                    undecided_slip,
-                    all_of(stays, still, Not(isolated)),
+            "undecided": Or(
+                all_of(
+                    any_of(
+                        undecided_press,
+                        undecided_bounce,
+                        undecided_slip,
+                        all_of(stays, still, Not(isolated)),
+                    ),
+                    Not(start.departs),
                 ),
-                Not(parts),
+                start.may_depart,
             ),
         },
         "Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is "
         "certain.",
         "a geometric series of bounces",
     )
+
+
+def _undecided_force(strength: sp.Expr, speed: sp.Expr, slope: sp.Expr) -> sp.Basic:
+    """Return whether the errors may change the sign of what presses the ball onto the surface.
+
+    That is the normal force if the ball rolls, and minus the second derivative of the gap if it
+    flies. Both are a·n + v·K v, with the curvature K of the surface. An error of the place turns n
+    by K times its length, and changes K, relatively, by as much.
+
+    Parameters
+    ----------
+    strength
+        A bound on the force per unit mass, m/s².
+    speed
+        A bound on the speed of the ball, before and after it stops to slip, m/s.
+    slope
+        A bound on the derivative of the force by the velocity, 1/s.
+    """
+    bend = barrier(absolute(per_reach))
+    pull = barrier(strength + barrier(speed) ** 2 * bend)
+    error = barrier(
+        barrier(8 * bend * barrier(pull * position_error + speed * velocity_error))
+        + 4 * slope * velocity_error
+        + sp.Rational(1, 2**48) * pull
+    )
+    return Or(AtMost(absolute(press), error), AtMost(absolute(lift), error))
 
 
 def settling_kernels(

@@ -129,12 +129,12 @@ def settled(
     nodes: list[Node] = [Call(common["estimates"])] if "estimates" in common else []
     nodes += [*_normals(common, holders), Call(common["off_at_start"])]
     nodes.append(If("put_on", tuple(_put_on(common, holders)), rare=True))
-    nodes += [Call(common["nearly"]), Call(common["gripped"])]
+    nodes += [Call(common["nearly"]), Call(common["gripped"]), Call(common["error_bounds"])]
     if "air_rates" in common:  # by the spin after the contact
         nodes.append(Call(common["air_rates"]))
     for surface in holders:
         own = (
-            *([part_call(surface, "rolling_surface")] if "near_apex" in common else []),
+            part_call(surface, "rolling_surface"),
             part_call(surface, "turning"),
             Call(common["pressed_on"]),
             *nearest_others(common, contacts, end_planes, surface.index),
@@ -164,6 +164,9 @@ def _put_on(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
     yield Call(common["placed_at_start"])
     yield Call(common["start_errors"])
     yield from _normals(common, holders)
+    yield Call(common["undecided_at_start"])
+    yield Call(common["start_velocity_errors"])
+    yield Call(common["velocity_at_start"])
 
 
 def _free_time(

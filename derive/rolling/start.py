@@ -5,11 +5,15 @@ whether the ball stays on the surface.
 
 The caller's place of the ball may be off the surface. The formulas of the surface hold on it: there
 the normal of a cylinder or a torus is a unit vector, and a ball that rolls does not slip. So the
-ball is put onto the surface, along the normal, before anything is decided.
+ball is put onto the surface, along the normal, before anything is decided. A velocity along the
+surface has a normal component of roundings, which would decide whether the ball hits the surface at
+once: it is taken away. A larger one into the surface is an impact at time 0.
 
 A ball may start where the force that presses it on vanishes, as one that goes on from the end of a
 recorded contact. Nothing but roundings then says whether that force is positive. If it vanishes to
 the roundings of a roll (`events.py`), and the gap of a flight from there opens, the contact ends.
+
+The judge starts balls in the same way, with the same two limits. Near a limit a shot is flagged.
 """
 
 from __future__ import annotations
@@ -27,6 +31,7 @@ from ..symbolic.conditionals import (
     Boolean,
     Choose,
     Equal,
+    IfAtMost,
     IfLess,
     Less,
     Not,
@@ -36,9 +41,9 @@ from ..symbolic.conditionals import (
     barrier,
     false,
 )
-from ..symbolic.error_terms import dx
-from ..symbolic.symbols import UNIT_ROUNDOFF, normal, position
-from .symbols import STARTS, body, bounce, gap, gap_jerk, lift, mode
+from ..symbolic.error_terms import dv, dx
+from ..symbolic.symbols import UNIT_ROUNDOFF, normal, position, spin, velocity
+from .symbols import STARTS, body, bounce, gap, gap_jerk, lift, mode, uncertain
 
 
 def one_of(surface: sp.Expr, indices: Sequence[int]) -> sp.Basic:
@@ -61,26 +66,63 @@ def one_of(surface: sp.Expr, indices: Sequence[int]) -> sp.Basic:
     return any_of(*within) if within else false
 
 
-def parts_at_start(pull: sp.Expr, rounding: sp.Expr) -> sp.Basic:
-    """Return whether a ball starts where its contact ends, to the roundings of a roll.
+def start_limits(strength: sp.Expr, ball_radius: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Return the speed and the force below which those of a ball at the start are roundings.
+
+    They are 32 u of its speeds, more where its place has more roundings than its radius, and 2⁻⁴²
+    of free fall and the centripetal acceleration on a curve like the ball.
 
     Parameters
     ----------
-    pull
-        A bound on what the force that presses the ball on consists of, per unit mass, m/s².
-    rounding
-        The rounding of a speed, m/s.
+    strength
+        The size of the free ball's acceleration, m/s².
+    ball_radius
+        The radius of the ball, m.
+
+    Returns
+    -------
+    tuple
+        The speed along the normal, m/s, and the force along it per unit mass, m/s².
     """
-    small = barrier(sp.Rational(1, 2**42) * pull)
-    return all_of(
-        Equal(mode, STARTS),
-        AtMost(bounce, rounding),
-        AtMost(absolute(lift), small),
-        Less(0, gap_jerk),
-    )
+    speeds = barrier(sum(map(absolute, velocity)) + ball_radius * barrier(sum(map(absolute, spin))))
+    digits = barrier(1 + barrier(sum(map(absolute, position))) / ball_radius)
+    curved = barrier(barrier(velocity.dot(velocity)) / ball_radius)
+    force = barrier(sp.Rational(1, 2**42) * barrier(strength + curved))
+    return barrier(32 * UNIT_ROUNDOFF * speeds * digits), force
 
 
-def start_kernels(holders: Sequence[int], ball: Ball) -> tuple[Kernel, ...]:
+class Start:
+    """A ball that starts on a surface, in a kernel that decides whether it stays there.
+
+    Parameters
+    ----------
+    strength, ball_radius
+        As for `start_limits`.
+
+    Attributes
+    ----------
+    along
+        True if it starts along the surface, to roundings.
+    enters
+        True if it starts with a velocity into the surface.
+    departs
+        True if its contact ends at once: nothing presses it on, to roundings, and the gap opens.
+    may_depart
+        True if it is undecided whether that force is one of roundings.
+    """
+
+    def __init__(self, strength: sp.Expr, ball_radius: sp.Expr) -> None:
+        speed_limit, force_limit = start_limits(strength, ball_radius)
+        inward, force = barrier(-velocity.dot(normal)), absolute(lift)
+        self.along = all_of(Equal(mode, STARTS), AtMost(bounce, speed_limit))
+        self.enters = all_of(Equal(mode, STARTS), Less(speed_limit / 2, inward))
+        opens = all_of(self.along, Less(0, gap_jerk))
+        self.departs = all_of(opens, AtMost(force, force_limit))
+        near = all_of(Less(force_limit / 2, force), Less(force, 2 * force_limit))
+        self.may_depart = all_of(opens, near)
+
+
+def start_kernels(holders: Sequence[int], ball: Ball, strength: sp.Expr) -> tuple[Kernel, ...]:
     """Return the kernels of a ball that starts on a surface.
 
     Parameters
@@ -89,7 +131,16 @@ def start_kernels(holders: Sequence[int], ball: Ball) -> tuple[Kernel, ...]:
         The indices of the surfaces that a ball can roll on, in order; there may be none.
     ball
         The radius and the inertia of the ball.
+    strength
+        The size of the free ball's acceleration, m/s².
     """
+    speed_limit, _ = start_limits(strength, ball.radius)
+    outward = barrier(velocity.dot(normal))
+    rounding_off = IfAtMost(absolute(outward), speed_limit, outward, 0)
+    near_limit = all_of(
+        Less(speed_limit / 2, absolute(outward)), Less(absolute(outward), 2 * speed_limit)
+    )
+    slack = barrier(speed_limit / 32)
     per = barrier(1 / barrier(sp.sqrt(barrier(normal.dot(normal)))))
     off = barrier(gap * per)
     rounding = barrier(8 * UNIT_ROUNDOFF * barrier(sum(map(absolute, position)) + ball.radius))
@@ -131,5 +182,22 @@ def start_kernels(holders: Sequence[int], ball: Ball) -> tuple[Kernel, ...]:
             {str(d): d + IfLess(d, 0, -rounding, rounding) for d in dx},
             "Errors with the rounding of that place.",
             "its bound",
+        ),
+        decision(
+            "undecided_at_start",
+            {"uncertain": Choose(near_limit, 1, uncertain)},
+            "1 if it is undecided whether the speed along the normal is a rounding.",
+        ),
+        loop_kernel(
+            "start_velocity_errors",
+            {str(d): d + IfLess(d, 0, -slack, slack) for d in dv},
+            "Errors with the rounding of a velocity along the surface.",
+            "its bound",
+        ),
+        loop_kernel(
+            "velocity_at_start",
+            {str(v): v - rounding_off * n for v, n in zip(velocity, normal, strict=True)},
+            "Velocity of a ball that starts on a surface, along it if it is so to roundings.",
+            "the normal of Table 2",
         ),
     )

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 9825af665afe78b0,
+   Generated from templates/c/kernels.h.j2, scene court, derivation b90b8028038b604d,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -950,17 +950,18 @@ LANES(court_found)(V arrival)
     return (LANES(court_found_out)){ _s0, _s0, K(0.0) };
 }
 
-/* A certain root, refined, and whether h is above 2^-24, so that it is refined again.
-   Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection. */
+/* A certain root or a return, refined; whether h is above 2^-24, so that it is again.
+   Table 1. 11 operations: 3 multiplications, 1 absolute value, 3 comparisons, 2 conjunctions, 1 disjunction, 1 selection. */
 typedef struct {
     V arrival;
     M refining;
 } LANES(court_refined_root_out);
 
 LANES_INLINE LANES(court_refined_root_out)
-LANES(court_refined_root)(V gap, V rate, V ceiling, V arrival, V refined, M certain)
+LANES(court_refined_root)(V leaving, V gap, V rate, V ceiling, V arrival, V refined, M certain)
 {
-    return (LANES(court_refined_root_out)){ lanes_select(certain, refined, arrival), lanes_both(certain, lanes_less(lanes_mul(K(5.960464477539063e-08), lanes_mul(rate, rate)), lanes_mul(ceiling, lanes_abs(gap)))) };
+    const M _s0 = lanes_either(certain, lanes_both(lanes_less(K(0.0), leaving), lanes_less(rate, K(0.0))));
+    return (LANES(court_refined_root_out)){ lanes_select(_s0, refined, arrival), lanes_both(_s0, lanes_less(lanes_mul(K(5.960464477539063e-08), lanes_mul(rate, rate)), lanes_mul(ceiling, lanes_abs(gap)))) };
 }
 
 /* Margin of the form, F or F/t, in which an arrival was found.
@@ -987,17 +988,17 @@ LANES(court_arrival_time)(V arrival)
     return (LANES(court_arrival_time_out)){ lanes_select(lanes_less(arrival, K(0.0)), K(0.0), arrival) };
 }
 
-/* Delay of a certain arrival; the earliest undecided time, with that of any other one.
-   Table 1. 10 operations: 1 subtraction, 2 comparisons, 3 conjunctions, 1 complement, 3 selections. */
+/* Delay of a certain arrival; the earliest undecided time, with where the search of any other one stands.
+   Table 1. 12 operations: 1 subtraction, 3 comparisons, 3 conjunctions, 1 complement, 4 selections. */
 typedef struct {
     V delay, undecided_time;
 } LANES(court_arrival_certainty_out);
 
 LANES_INLINE LANES(court_arrival_certainty_out)
-LANES(court_arrival_certainty)(V clearance, V time, V delay, V undecided_time, M arrives, M certain)
+LANES(court_arrival_certainty)(V t, V clearance, V time, V delay, V undecided_time, M arrives, M certain)
 {
     const M _s0 = lanes_both(certain, lanes_less(K(0.0), clearance));
-    const V _s1 = lanes_select(certain, lanes_sub(time, delay), time);
+    const V _s1 = lanes_select(certain, lanes_sub(time, delay), lanes_min(time, t));
     return (LANES(court_arrival_certainty_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(_s1, undecided_time)), _s1, undecided_time) };
 }
 
@@ -2333,6 +2334,54 @@ LANES(court_start_errors)(V x, V y, V z, V dx, V dy, V dz, V _c0)
     return (LANES(court_start_errors_out)){ lanes_add(dx, lanes_select(lanes_less(dx, K(0.0)), _s1, _s0)), lanes_add(dy, lanes_select(lanes_less(dy, K(0.0)), _s1, _s0)), lanes_add(dz, lanes_select(lanes_less(dz, K(0.0)), _s1, _s0)) };
 }
 
+/* 1 if it is undecided whether the speed along the normal is a rounding.
+   Table 1. 33 operations: 10 additions, 8 multiplications, 1 division, 10 absolute values, 2 comparisons, 1 conjunction, 1 selection. */
+typedef struct {
+    V uncertain;
+} LANES(court_undecided_at_start_out);
+
+LANES_INLINE LANES(court_undecided_at_start_out)
+LANES(court_undecided_at_start)(V x, V y, V z, V nx, V ny, V nz, V vx, V vy, V vz, V wx, V wy, V wz, V uncertain, V _c0)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s1 = lanes_mul(K(3.552713678800501e-15), lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(x), lanes_abs(y)), lanes_abs(z)), _c0)));
+    const V _s2 = lanes_mul(_s1, lanes_add(_s0, lanes_abs(vz)));
+    const V _s3 = lanes_abs(lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz)));
+    return (LANES(court_undecided_at_start_out)){ lanes_select(lanes_both(lanes_less(lanes_mul(K(0.5), _s2), _s3), lanes_less(_s3, lanes_mul(K(2.0), _s2))), K(1.0), uncertain) };
+}
+
+/* Errors with the rounding of a velocity along the surface.
+   its bound. 32 operations: 11 additions, 4 multiplications, 1 division, 1 negation, 9 absolute values, 3 comparisons, 3 selections. */
+typedef struct {
+    V dvx, dvy, dvz;
+} LANES(court_start_velocity_errors_out);
+
+LANES_INLINE LANES(court_start_velocity_errors_out)
+LANES(court_start_velocity_errors)(V x, V y, V z, V vx, V vy, V vz, V wx, V wy, V wz, V dvx, V dvy, V dvz, V _c0)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s1 = lanes_mul(K(3.552713678800501e-15), lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(x), lanes_abs(y)), lanes_abs(z)), _c0)));
+    const V _s2 = lanes_mul(K(0.03125), lanes_mul(_s1, lanes_add(_s0, lanes_abs(vz))));
+    const V _s3 = lanes_neg(_s2);
+    return (LANES(court_start_velocity_errors_out)){ lanes_add(dvx, lanes_select(lanes_less(dvx, K(0.0)), _s3, _s2)), lanes_add(dvy, lanes_select(lanes_less(dvy, K(0.0)), _s3, _s2)), lanes_add(dvz, lanes_select(lanes_less(dvz, K(0.0)), _s3, _s2)) };
+}
+
+/* Velocity of a ball that starts on a surface, along it if it is so to roundings.
+   the normal of Table 2. 35 operations: 10 additions, 3 subtractions, 9 multiplications, 1 division, 10 absolute values, 1 comparison, 1 selection. */
+typedef struct {
+    V vx, vy, vz;
+} LANES(court_velocity_at_start_out);
+
+LANES_INLINE LANES(court_velocity_at_start_out)
+LANES(court_velocity_at_start)(V x, V y, V z, V nx, V ny, V nz, V vx, V vy, V vz, V wx, V wy, V wz, V _c0)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_add(lanes_add(lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s2 = lanes_mul(K(3.552713678800501e-15), lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(x), lanes_abs(y)), lanes_abs(z)), _c0)));
+    const V _s3 = lanes_select(lanes_at_most(lanes_abs(_s0), lanes_mul(_s2, lanes_add(_s1, lanes_abs(vz)))), _s0, K(0.0));
+    return (LANES(court_velocity_at_start_out)){ lanes_sub(vx, lanes_mul(nx, _s3)), lanes_sub(vy, lanes_mul(ny, _s3)), lanes_sub(vz, lanes_mul(nz, _s3)) };
+}
+
 /* Whether the ball is in contact, and has no flight to search.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
@@ -2651,7 +2700,7 @@ LANES(court_ring_impact_undecided)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V n
 }
 
 /* Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
-   a geometric series of bounces. 160 operations: 20 additions, 3 subtractions, 45 multiplications, 8 divisions, 1 square root, 1 negation, 15 absolute values, 27 comparisons, 26 conjunctions, 8 disjunctions, 3 complements, 3 selections. */
+   a geometric series of bounces. 214 operations: 34 additions, 3 subtractions, 61 multiplications, 10 divisions, 1 square root, 2 negations, 22 absolute values, 32 comparisons, 31 conjunctions, 10 disjunctions, 5 complements, 3 selections. */
 typedef struct {
     M settles, lodges, slides, unpressed;
     V assured;
@@ -2659,42 +2708,53 @@ typedef struct {
 } LANES(court_ring_impact_settling_out);
 
 LANES_INLINE LANES(court_ring_impact_settling_out)
-LANES(court_ring_impact_settling)(V wx, V wy, V wz, V velocity_error, V mode, V rolled_x, V rolled_y, V rolled_z, V turning_x, V turning_y, V turning_z, V slip, V bounce, V nearest, V second_contact_gap, V press, V weight, V rolling_friction, V lift, V gap_jerk, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10)
+LANES(court_ring_impact_settling)(V x, V y, V z, V nx, V ny, V nz, V vx, V vy, V vz, V wx, V wy, V wz, V position_error, V velocity_error, V mode, V per_reach, V rolled_x, V rolled_y, V rolled_z, V turning_x, V turning_y, V turning_z, V slip, V bounce, V nearest, V second_contact_gap, V press, V weight, V rolling_friction, V lift, V gap_jerk, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10)
 {
     const M _s0 = lanes_less(K(0.0), _c3);
     const V _s1 = lanes_div(bounce, press);
     const V _s2 = lanes_add(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_abs(turning_x), lanes_abs(turning_y)), lanes_abs(turning_z)));
-    const V _s3 = lanes_add(lanes_add(lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(rolled_x)), lanes_abs(rolled_y));
-    const V _s4 = lanes_add(_s3, lanes_abs(rolled_z));
-    const V _s5 = lanes_mul(_s2, _s4);
-    const V _s6 = lanes_abs(weight);
-    const V _s7 = lanes_mul(lanes_mul(K(8.0), _s2), lanes_add(_s5, _s6));
-    const V _s8 = lanes_add(lanes_sqrt(lanes_mul(_c0, _s6)), _s4);
-    const V _s9 = lanes_mul(K(1.4210854715202004e-14), _s8);
-    const V _s10 = lanes_mul(K(2.0), rolling_friction);
-    const V _s11 = lanes_mul(press, _c5);
-    const M _s12 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), press), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s1), _s7), lanes_mul(press, _c4))), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), rolling_friction), _s1), _s9))), lanes_at_most(_s10, _s11));
-    const V _s13 = lanes_mul(K(0.5), bounce);
-    const V _s14 = lanes_mul(K(4.0), rolling_friction);
-    const V _s15 = lanes_add(lanes_add(lanes_mul(_s13, _s1), lanes_div(lanes_mul(_s14, lanes_mul(_s1, _s1)), _c6)), lanes_div(lanes_mul(lanes_mul(lanes_mul(K(4.0), slip), _c7), _s1), _c3));
-    const M _s16 = lanes_both(_s12, lanes_at_most(_s15, _c8));
-    const M _s17 = lanes_at_most(second_contact_gap, _c9);
-    const V _s18 = lanes_div(lanes_mul(lanes_mul(K(16.0), _s1), _s4), _c3);
-    const M _s19 = lanes_less(lanes_add(_c9, _s18), nearest);
-    const M _s20 = lanes_at_most(_s18, _c9);
-    const M _s21 = lanes_at_most(bounce, _s9);
-    const M _s22 = lanes_both(lanes_both(lanes_both(lanes_equal(mode, K(5.0)), _s21), lanes_at_most(lanes_abs(lift), lanes_mul(K(2.2737367544323206e-13), lanes_add(_c1, _s5)))), lanes_less(K(0.0), gap_jerk));
-    const M _s23 = lanes_not(_s22);
-    const V _s24 = lanes_neg(lift);
-    const V _s25 = lanes_min(_s24, press);
-    const V _s26 = lanes_div(bounce, _s25);
-    const M _s27 = lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), _s25), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s26), _s7), lanes_mul(_c4, _s25))), lanes_less(lanes_add(_c9, lanes_div(lanes_mul(lanes_mul(K(16.0), _s26), _s4), _c3)), nearest));
-    const M _s28 = lanes_both(_s27, lanes_at_most(lanes_add(lanes_mul(_s13, _s26), lanes_div(lanes_mul(_s14, lanes_mul(_s26, _s26)), _c6)), _c8));
-    const V _s29 = lanes_add(lanes_div(lanes_mul(K(2.0), lanes_add(lanes_mul(_s10, _s26), lanes_select(lanes_less(K(0.0), bounce), lanes_mul(bounce, _c5), K(0.0)))), _c10), lanes_mul(K(1.4551915228366852e-11), _s8));
-    const M _s30 = lanes_either(lanes_at_most(lanes_abs(press), lanes_mul(lanes_mul(K(4.0), velocity_error), _s2)), lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s15, _c8))), lanes_mul(lanes_mul(K(2.0), velocity_error), _c8)), lanes_less(K(0.0), lanes_mul(_c2, bounce))));
-    const V _s31 = lanes_mul(K(16.0), velocity_error);
-    const M _s32 = lanes_both(_s28, lanes_either(lanes_less(lanes_abs(lanes_sub(slip, _s29)), _s31), lanes_less(lanes_abs(lanes_sub(_s10, _s11)), lanes_mul(_s31, lanes_add(lanes_mul(_c5, _s2), _s2)))));
-    return (LANES(court_ring_impact_settling_out)){ lanes_both(lanes_both(lanes_both(_s16, lanes_not(_s17)), lanes_either(_s19, _s20)), _s23), lanes_both(lanes_both(_s16, _s17), _s23), lanes_both(lanes_both(_s28, lanes_either(lanes_less(_s29, slip), lanes_less(_s11, _s10))), _s23), lanes_either(lanes_both(_s21, lanes_at_most(K(0.0), lift)), _s22), lanes_select(lanes_either(lanes_both(_s12, _s19), _s27), K(1.0), K(0.0)), lanes_both(lanes_either(lanes_either(_s30, _s32), lanes_both(lanes_both(_s16, _s20), lanes_not(_s19))), _s23) };
+    const V _s3 = lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz)));
+    const V _s4 = lanes_add(lanes_add(lanes_add(_s3, lanes_abs(rolled_x)), lanes_abs(rolled_y)), lanes_abs(rolled_z));
+    const V _s5 = lanes_abs(weight);
+    const V _s6 = lanes_mul(lanes_mul(K(8.0), _s2), lanes_add(lanes_mul(_s2, _s4), _s5));
+    const V _s7 = lanes_add(lanes_sqrt(lanes_mul(_c0, _s5)), _s4);
+    const V _s8 = lanes_mul(K(1.4210854715202004e-14), _s7);
+    const V _s9 = lanes_mul(K(2.0), rolling_friction);
+    const V _s10 = lanes_mul(press, _c5);
+    const M _s11 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), press), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s1), _s6), lanes_mul(press, _c4))), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), rolling_friction), _s1), _s8))), lanes_at_most(_s9, _s10));
+    const V _s12 = lanes_mul(K(0.5), bounce);
+    const V _s13 = lanes_mul(K(4.0), rolling_friction);
+    const V _s14 = lanes_add(lanes_add(lanes_mul(_s12, _s1), lanes_div(lanes_mul(_s13, lanes_mul(_s1, _s1)), _c6)), lanes_div(lanes_mul(lanes_mul(lanes_mul(K(4.0), slip), _c7), _s1), _c3));
+    const M _s15 = lanes_both(_s11, lanes_at_most(_s14, _c8));
+    const M _s16 = lanes_at_most(second_contact_gap, _c9);
+    const V _s17 = lanes_div(lanes_mul(lanes_mul(K(16.0), _s1), _s4), _c3);
+    const M _s18 = lanes_less(lanes_add(_c9, _s17), nearest);
+    const M _s19 = lanes_at_most(_s17, _c9);
+    const M _s20 = lanes_equal(mode, K(5.0));
+    const V _s21 = lanes_mul(K(3.552713678800501e-15), lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(x), lanes_abs(y)), lanes_abs(z)), _c0)));
+    const V _s22 = lanes_mul(_s21, lanes_add(lanes_add(lanes_add(_s3, lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz)));
+    const M _s23 = lanes_both(_s20, lanes_at_most(bounce, _s22));
+    const M _s24 = lanes_both(_s23, lanes_less(K(0.0), gap_jerk));
+    const V _s25 = lanes_abs(lift);
+    const V _s26 = lanes_mul(K(2.2737367544323206e-13), lanes_add(_c1, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), _c0)));
+    const M _s27 = lanes_both(_s24, lanes_at_most(_s25, _s26));
+    const M _s28 = lanes_not(_s27);
+    const V _s29 = lanes_neg(lift);
+    const V _s30 = lanes_min(_s29, press);
+    const V _s31 = lanes_div(bounce, _s30);
+    const M _s32 = lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), _s30), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s31), _s6), lanes_mul(_c4, _s30))), lanes_less(lanes_add(_c9, lanes_div(lanes_mul(lanes_mul(K(16.0), _s31), _s4), _c3)), nearest));
+    const M _s33 = lanes_both(_s32, lanes_at_most(lanes_add(lanes_mul(_s12, _s31), lanes_div(lanes_mul(_s13, lanes_mul(_s31, _s31)), _c6)), _c8));
+    const V _s34 = lanes_add(lanes_div(lanes_mul(K(2.0), lanes_add(lanes_mul(_s9, _s31), lanes_select(lanes_less(K(0.0), bounce), lanes_mul(bounce, _c5), K(0.0)))), _c10), lanes_mul(K(1.4551915228366852e-11), _s7));
+    const M _s35 = lanes_both(_s20, lanes_less(lanes_mul(K(0.5), _s22), lanes_neg(lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz)))));
+    const V _s36 = lanes_add(slip, _s4);
+    const V _s37 = lanes_abs(per_reach);
+    const V _s38 = lanes_add(_c1, lanes_mul(lanes_mul(_s36, _s36), _s37));
+    const V _s39 = lanes_add(lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(position_error, _s38), lanes_mul(velocity_error, _s36))), _s37), lanes_mul(K(3.552713678800501e-15), _s38));
+    const M _s40 = lanes_both(lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s14, _c8))), lanes_mul(lanes_mul(K(2.0), velocity_error), _c8)), lanes_less(K(0.0), lanes_mul(_c2, bounce))), lanes_not(_s23));
+    const V _s41 = lanes_mul(K(8.0), velocity_error);
+    const M _s42 = lanes_both(_s33, lanes_either(lanes_less(lanes_abs(lanes_sub(slip, _s34)), _s41), lanes_less(lanes_abs(lanes_sub(_s9, _s10)), lanes_mul(_s41, lanes_add(lanes_mul(_c5, _s2), _s2)))));
+    const M _s43 = lanes_either(lanes_either(lanes_either(lanes_either(lanes_at_most(lanes_abs(press), _s39), lanes_at_most(_s25, _s39)), _s40), _s42), lanes_both(lanes_both(_s15, _s19), lanes_not(_s18)));
+    return (LANES(court_ring_impact_settling_out)){ lanes_both(lanes_both(lanes_both(_s15, lanes_not(_s16)), lanes_either(_s18, _s19)), _s28), lanes_both(lanes_both(_s15, _s16), _s28), lanes_both(lanes_both(_s33, lanes_either(lanes_less(_s34, slip), lanes_less(_s10, _s9))), _s28), lanes_either(lanes_both(lanes_both(lanes_at_most(bounce, _s8), lanes_at_most(K(0.0), lift)), lanes_not(_s35)), _s27), lanes_select(lanes_either(lanes_both(_s11, _s18), _s32), K(1.0), K(0.0)), lanes_either(lanes_both(_s43, _s28), lanes_both(_s24, lanes_both(lanes_less(lanes_mul(K(0.5), _s26), _s25), lanes_less(_s25, lanes_mul(K(2.0), _s26))))) };
 }
 
 /* Excess F² - mu² N² and its rate.

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation 9825af665afe78b0,
+   Generated from templates/c/loop.h.j2, scene court, derivation b90b8028038b604d,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -293,16 +293,17 @@ typedef struct {
         searching_searching_ended_t, searching_searching_ended_undecided_time,
         searching_searching_position_error, searching_searching_undecided_time,
         searching_searching_velocity_error, searching_undecided_time, searching_velocity_error,
-        slow_assured, slow_dx, slow_dy, slow_dz, slow_estimated, slow_uncertain,
-        slow_velocity_error, turning_p_backboard_friction, turning_p_bridge_friction,
-        turning_p_ring_friction, undecided_time, velocity_error;
+        slow_assured, slow_clock_error, slow_dvx, slow_dvy, slow_dvz, slow_dwx, slow_dwy, slow_dwz,
+        slow_dx, slow_dy, slow_dz, slow_estimated, slow_uncertain, t, turning_p_backboard_friction,
+        turning_p_bridge_friction, turning_p_ring_friction, undecided_time, velocity_error;
     LANES(singles_column) in_contact_circling_clock_bound, in_contact_circling_position_bound,
         in_contact_circling_spin_bound, in_contact_circling_velocity_bound, in_contact_clock_bound,
         in_contact_leaves_clock_bound, in_contact_leaves_position_bound,
         in_contact_leaves_spin_bound, in_contact_leaves_velocity_bound, in_contact_position_bound,
         in_contact_rolling_clock_bound, in_contact_rolling_position_bound,
         in_contact_rolling_spin_bound, in_contact_rolling_velocity_bound, in_contact_spin_bound,
-        in_contact_velocity_bound;
+        in_contact_velocity_bound, slow_clock_bound, slow_position_bound, slow_spin_bound,
+        slow_velocity_bound;
 #endif
     /* What kernels make of parameters alone. */
     _Alignas(64) double fixed[LANES_ROWS][LANES_WIDTH];
@@ -3127,6 +3128,13 @@ LANES_APART void LOOP(fix_slow_rows_1)(LOOP(worklist) *worklist, size_t i)
     EACH(PARAMETER, slow_, p_ring_radius, p_ring_restitution, p_wire_radius)
     {
         const V _s219 = lanes_mul(p_inertia, lanes_div(K(1.0), lanes_add(K(1.0), p_inertia)));
+        const V _s227 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
+        const V _s232 = lanes_add(lanes_add(_s227, lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness));
+        const V _s235 = lanes_add(_s227, lanes_mul(K(2.842170943040401e-14), p_board_half_width));
+        const V _s240 = lanes_add(lanes_add(_s227, lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_bottom))), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_top)));
+        const V _s245 = lanes_add(lanes_add(_s227, lanes_mul(K(1.4210854715202004e-14), p_ring_radius)), lanes_mul(K(1.4210854715202004e-14), p_board_distance));
+        const V _s248 = lanes_add(_s227, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
+        const V _s255 = lanes_add(lanes_add(_s227, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
         const V _s361 = lanes_sub(K(1.0), p_ring_restitution);
         const V _s363 = lanes_add(K(1.0), p_ring_restitution);
         const V _s370 = lanes_sub(K(1.0), p_backboard_restitution);
@@ -3141,7 +3149,11 @@ LANES_APART void LOOP(fix_slow_rows_1)(LOOP(worklist) *worklist, size_t i)
         FIX(21, p_gravity); FIX(23, lanes_neg(p_gravity));
         FIX(107, lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
         FIX(108, lanes_mul(K(0.5), p_ball_radius)); FIX(109, _s219);
-        FIX(111, lanes_mul(K(3.637978807091713e-12), p_ball_radius));
+        FIX(110, lanes_div(K(1.0), p_ball_radius));
+        FIX(111, lanes_mul(K(3.637978807091713e-12), p_ball_radius)); FIX(114, _s232);
+        FIX(115, lanes_neg(_s232)); FIX(116, _s235); FIX(117, lanes_neg(_s235)); FIX(118, _s240);
+        FIX(119, lanes_neg(_s240)); FIX(120, _s245); FIX(121, lanes_neg(_s245)); FIX(122, _s248);
+        FIX(123, lanes_neg(_s248)); FIX(124, _s255); FIX(125, lanes_neg(_s255));
         FIX(159, lanes_mul(K(3.0), p_gravity));
         FIX(160, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
         FIX(171, lanes_mul(K(7.275957614183426e-12), p_ball_radius)); FIX(173, p_ring_restitution);
@@ -3165,7 +3177,8 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             LOOP(fix_slow_rows_1)(worklist, i);
         EACH(LOAD, slow_, held, mode, outcome, slip_left, vx, vy, vz, which, wx, wy, wz, x, y, z)
 #if BOUNDED
-        EACH(LOAD, slow_, assured, uncertain, velocity_error)
+        EACH(LOAD, slow_, assured, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, uncertain)
+        EACH(LOAD_SINGLE, slow_, clock_bound, position_bound, spin_bound, velocity_bound)
         CALL(court_estimates, _estimates_1)();
         EACH(GET, _estimates_1, estimated)
 #endif
@@ -3189,7 +3202,6 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
         EACH(GET_MASK, _off_at_start_1, put_on)
         const M _if_put_on_1 = lanes_both(rows, put_on);
         if (lanes_any(_if_put_on_1)) {
-            BOUNDS(EACH(LOAD, slow_, dx, dy, dz))
             CALL(court_ring_distance, _ring_distance_1)(x, y, z, FIXED(6), FIXED(7), FIXED(8));
             EACH(GET, _ring_distance_1, gap)
             CALL(court_here, _here_3)(K(1.0), which);
@@ -3228,17 +3240,31 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
                 CALL(court_bridge_normal, _bridge_normal_2)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108));
                 EACH(SELECT, (_if_here_6, _bridge_normal_2), nx, ny, nz)
             }
-            EACH(STORE, slow_, x, y, z)
-            BOUNDS(EACH(STORE, slow_, dx, dy, dz))
+#if BOUNDED
+            CALL(court_undecided_at_start, _undecided_at_start_1)(x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, uncertain, FIXED(6));
+            EACH(SELECT, (_if_put_on_1, _undecided_at_start_1), uncertain)
+            CALL(court_start_velocity_errors, _start_velocity_errors_1)(x, y, z, vx, vy, vz, wx, wy, wz, dvx, dvy, dvz, FIXED(6));
+            EACH(SELECT, (_if_put_on_1, _start_velocity_errors_1), dvx, dvy, dvz)
+#endif
+            CALL(court_velocity_at_start, _velocity_at_start_1)(x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, FIXED(6));
+            EACH(SELECT, (_if_put_on_1, _velocity_at_start_1), vx, vy, vz)
+            EACH(STORE, slow_, vx, vy, vz, x, y, z)
+            BOUNDS(EACH(STORE, slow_, dvx, dvy, dvz, dx, dy, dz))
         }
         CALL(court_nearly, _nearly_1)(nx, ny, nz, vx, vy, vz, FIXED(6), FIXED(21), FIXED(171));
         EACH(GET_MASK, _nearly_1, nearly)
         CALL(court_gripped, _gripped_1)(nx, ny, nz, vx, vy, vz, wx, wy, wz, FIXED(6), FIXED(109));
         EACH(GET, _gripped_1, rolled_x, rolled_y, rolled_z, slip, bounce)
+#if BOUNDED
+        CALL(court_error_bounds, _error_bounds_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, lanes_wide(position_bound), lanes_wide(velocity_bound), lanes_wide(spin_bound), estimated, lanes_wide(clock_bound));
+        EACH(GET, _error_bounds_1, position_error, velocity_error)
+#endif
         CALL(court_here, _here_7)(K(0.0), which);
         EACH(SET, _here_7, here)
         const M _if_here_7 = lanes_both(rows, here);
         if (lanes_any(_if_here_7)) {
+            CALL(court_ring_rolling_surface, _ring_rolling_surface_1)(FIXED(107));
+            EACH(GET, _ring_rolling_surface_1, per_reach)
             CALL(court_ring_turning, _ring_turning_1)(x, y, rolled_x, rolled_y, rolled_z, FIXED(7), FIXED(107));
             EACH(GET, _ring_turning_1, turning_x, turning_y, turning_z)
             CALL(court_pressed_on, _pressed_on_1)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(109));
@@ -3260,7 +3286,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(SET, _near_end_plane_1, nearest)
             CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(159), FIXED(160));
             EACH(GET, _ring_separation_1, lift, gap_jerk)
-            CALL(court_ring_impact_settling, _ring_impact_settling_1)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(173), FIXED(174), FIXED(175), FIXED(176), FIXED(177), FIXED(109), FIXED(111), FIXED(178), FIXED(179));
+            CALL(court_ring_impact_settling, _ring_impact_settling_1)(x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, OR_ZERO(position_error), OR_ZERO(velocity_error), mode, per_reach, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(173), FIXED(174), FIXED(175), FIXED(176), FIXED(177), FIXED(109), FIXED(111), FIXED(178), FIXED(179));
             EACH(GET_MASK, _ring_impact_settling_1, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_7, _ring_impact_settling_1), assured))
             EACH(GET_MASK, _ring_impact_settling_1, undecided)
@@ -3272,6 +3298,8 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
         EACH(SET, _here_8, here)
         const M _if_here_8 = lanes_both(rows, here);
         if (lanes_any(_if_here_8)) {
+            CALL(court_backboard_rolling_surface, _backboard_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(114), FIXED(115), FIXED(15), FIXED(116), FIXED(117), FIXED(118), FIXED(119), FIXED(110));
+            EACH(GET, _backboard_rolling_surface_1, per_reach)
             CALL(court_backboard_turning, _backboard_turning_1)(x, y, z, rolled_x, rolled_y, rolled_z, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15), FIXED(108));
             EACH(GET, _backboard_turning_1, turning_x, turning_y, turning_z)
             CALL(court_pressed_on, _pressed_on_2)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(109));
@@ -3293,7 +3321,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(SET, _near_end_plane_2, nearest)
             CALL(court_backboard_separation, _backboard_separation_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(21), FIXED(15), FIXED(23));
             EACH(GET, _backboard_separation_1, lift, gap_jerk)
-            CALL(court_ring_impact_settling, _ring_impact_settling_2)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(180), FIXED(181), FIXED(182), FIXED(183), FIXED(184), FIXED(109), FIXED(111), FIXED(178), FIXED(185));
+            CALL(court_ring_impact_settling, _ring_impact_settling_2)(x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, OR_ZERO(position_error), OR_ZERO(velocity_error), mode, per_reach, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(180), FIXED(181), FIXED(182), FIXED(183), FIXED(184), FIXED(109), FIXED(111), FIXED(178), FIXED(185));
             EACH(GET_MASK, _ring_impact_settling_2, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_8, _ring_impact_settling_2), assured))
             EACH(GET_MASK, _ring_impact_settling_2, undecided)
@@ -3305,6 +3333,8 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
         EACH(SET, _here_9, here)
         const M _if_here_9 = lanes_both(rows, here);
         if (lanes_any(_if_here_9)) {
+            CALL(court_bridge_rolling_surface, _bridge_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(120), FIXED(121), FIXED(122), FIXED(123), FIXED(124), FIXED(125), FIXED(16), FIXED(110));
+            EACH(GET, _bridge_rolling_surface_1, per_reach)
             CALL(court_bridge_turning, _bridge_turning_1)(x, y, z, rolled_x, rolled_y, rolled_z, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16), FIXED(108));
             EACH(GET, _bridge_turning_1, turning_x, turning_y, turning_z)
             CALL(court_pressed_on, _pressed_on_3)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(109));
@@ -3326,7 +3356,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(SET, _near_end_plane_3, nearest)
             CALL(court_bridge_separation, _bridge_separation_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(21), FIXED(7), FIXED(8), FIXED(16), FIXED(23));
             EACH(GET, _bridge_separation_1, lift, gap_jerk)
-            CALL(court_ring_impact_settling, _ring_impact_settling_3)(wx, wy, wz, OR_ZERO(velocity_error), mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(186), FIXED(187), FIXED(188), FIXED(189), FIXED(190), FIXED(109), FIXED(111), FIXED(178), FIXED(191));
+            CALL(court_ring_impact_settling, _ring_impact_settling_3)(x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, OR_ZERO(position_error), OR_ZERO(velocity_error), mode, per_reach, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(186), FIXED(187), FIXED(188), FIXED(189), FIXED(190), FIXED(109), FIXED(111), FIXED(178), FIXED(191));
             EACH(GET_MASK, _ring_impact_settling_3, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_9, _ring_impact_settling_3), assured))
             EACH(GET_MASK, _ring_impact_settling_3, undecided)
@@ -4033,6 +4063,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SET, _stepped_1, arrival, searching)
                 EACH(GET, _stepped_1, t)
                 EACH(STORE, , arrival)
+                BOUNDS(EACH(STORE, , t))
                 const M packed = lanes_both(rows, searching);
                 if (lanes_any(packed)) {
                     EACH(LOAD, , extent, last, share, speed, until, vx, vy, vz, x, y, z)
@@ -4228,7 +4259,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
         for (size_t k = 0; k < searching_shots; k++) {
             const size_t row = (size_t)worklist->searching_row[k];
             EACH(RETURN, (, searching_), arrival, ceiling, certain, flat, rho_start, tilt)
-            BOUNDS(EACH(RETURN, (, searching_), latest, undecided_time))
+            BOUNDS(EACH(RETURN, (, searching_), latest, t, undecided_time))
         }
         }
         {
@@ -4256,7 +4287,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                     EACH(GET, _ring_refine_1, rate)
 #endif
-                    CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
+                    CALL(court_refined_root, _refined_root_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
                     EACH(SELECT, (_if_refining_1, _refined_root_1), arrival)
                     EACH(SELECT_MASK, (_if_refining_1, _refined_root_1), refining)
                 }
@@ -4270,7 +4301,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                     EACH(GET, _ring_refine_2, rate)
 #endif
-                    CALL(court_refined_root, _refined_root_2)(gap, rate, ceiling, arrival, refined, certain);
+                    CALL(court_refined_root, _refined_root_2)(leaving, gap, rate, ceiling, arrival, refined, certain);
                     EACH(SELECT, (_if_refining_2, _refined_root_2), arrival)
                     EACH(SELECT_MASK, (_if_refining_2, _refined_root_2), refining)
                 }
@@ -4327,7 +4358,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 CALL(court_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(7), FIXED(21), FIXED(34), FIXED(14));
                 V refined = _ring_refine_1.time;
                 EACH(GET, _ring_refine_1, gap, rate)
-                CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
+                CALL(court_refined_root, _refined_root_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
                 EACH(SET, _refined_root_1, arrival, refining)
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
@@ -4358,7 +4389,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(LOAD_MASK, , arrives)
 #if BOUNDED
                 EACH(LOAD, , ceiling, earliest_delay, extent, latest, leaving, position_error, rate)
-                EACH(LOAD, , speed, undecided_time, velocity_error)
+                EACH(LOAD, , speed, t, undecided_time, velocity_error)
                 EACH(LOAD_MASK, , certain)
                 CALL(court_ring_margins, _ring_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(31), FIXED(48), FIXED(49), FIXED(50), FIXED(44));
                 V flat = _ring_margins_1.margin;
@@ -4372,7 +4403,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 CALL(court_arrival_time, _arrival_time_1)(arrival);
                 EACH(GET, _arrival_time_1, time)
 #if BOUNDED
-                CALL(court_arrival_certainty, _arrival_certainty_1)(clearance, time, delay, undecided_time, arrives, certain);
+                CALL(court_arrival_certainty, _arrival_certainty_1)(t, clearance, time, delay, undecided_time, arrives, certain);
                 EACH(SET, _arrival_certainty_1, delay)
                 EACH(SELECT, (rows, _arrival_certainty_1), undecided_time)
                 CALL(court_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
@@ -4656,7 +4687,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                 EACH(GET, _backboard_refine_1, rate)
 #endif
-                CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
+                CALL(court_refined_root, _refined_root_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
                 EACH(SELECT, (_if_refining_1, _refined_root_1), arrival)
                 EACH(SELECT_MASK, (_if_refining_1, _refined_root_1), refining)
             }
@@ -4670,7 +4701,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                 EACH(GET, _backboard_refine_2, rate)
 #endif
-                CALL(court_refined_root, _refined_root_2)(gap, rate, ceiling, arrival, refined, certain);
+                CALL(court_refined_root, _refined_root_2)(leaving, gap, rate, ceiling, arrival, refined, certain);
                 EACH(SELECT, (_if_refining_2, _refined_root_2), arrival)
                 EACH(SELECT_MASK, (_if_refining_2, _refined_root_2), refining)
             }
@@ -4726,7 +4757,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 CALL(court_backboard_refine, _backboard_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(56));
                 V refined = _backboard_refine_1.time;
                 EACH(GET, _backboard_refine_1, gap, rate)
-                CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
+                CALL(court_refined_root, _refined_root_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
                 EACH(SET, _refined_root_1, arrival, refining)
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
@@ -4755,7 +4786,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD_MASK, reachable_, arrives)
 #if BOUNDED
             EACH(LOAD, reachable_, ceiling, earliest_delay, extent, latest, leaving, position_error)
-            EACH(LOAD, reachable_, rate, speed, undecided_time, velocity_error)
+            EACH(LOAD, reachable_, rate, speed, t, undecided_time, velocity_error)
             EACH(LOAD_MASK, reachable_, certain)
             CALL(court_backboard_margins, _backboard_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(68), FIXED(69), FIXED(70), FIXED(71), FIXED(72), FIXED(73), FIXED(74), FIXED(75), FIXED(76), FIXED(77), FIXED(78));
             V flat = _backboard_margins_1.margin;
@@ -4769,7 +4800,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_arrival_time, _arrival_time_1)(arrival);
             EACH(GET, _arrival_time_1, time)
 #if BOUNDED
-            CALL(court_arrival_certainty, _arrival_certainty_1)(clearance, time, delay, undecided_time, arrives, certain);
+            CALL(court_arrival_certainty, _arrival_certainty_1)(t, clearance, time, delay, undecided_time, arrives, certain);
             EACH(SET, _arrival_certainty_1, delay, undecided_time)
             CALL(court_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
             EACH(SET, _tie_undecided_1, undecided_time, earliest_delay)
@@ -5070,7 +5101,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                 EACH(GET, _bridge_refine_1, rate)
 #endif
-                CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
+                CALL(court_refined_root, _refined_root_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
                 EACH(SELECT, (_if_refining_1, _refined_root_1), arrival)
                 EACH(SELECT_MASK, (_if_refining_1, _refined_root_1), refining)
             }
@@ -5084,7 +5115,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                 EACH(GET, _bridge_refine_2, rate)
 #endif
-                CALL(court_refined_root, _refined_root_2)(gap, rate, ceiling, arrival, refined, certain);
+                CALL(court_refined_root, _refined_root_2)(leaving, gap, rate, ceiling, arrival, refined, certain);
                 EACH(SELECT, (_if_refining_2, _refined_root_2), arrival)
                 EACH(SELECT_MASK, (_if_refining_2, _refined_root_2), refining)
             }
@@ -5140,7 +5171,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 CALL(court_bridge_refine, _bridge_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(34), FIXED(16), FIXED(56));
                 V refined = _bridge_refine_1.time;
                 EACH(GET, _bridge_refine_1, gap, rate)
-                CALL(court_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
+                CALL(court_refined_root, _refined_root_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
                 EACH(SET, _refined_root_1, arrival, refining)
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
@@ -5169,7 +5200,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             EACH(LOAD_MASK, reachable_, arrives)
 #if BOUNDED
             EACH(LOAD, reachable_, ceiling, earliest_delay, extent, latest, leaving, position_error)
-            EACH(LOAD, reachable_, rate, speed, undecided_time, velocity_error)
+            EACH(LOAD, reachable_, rate, speed, t, undecided_time, velocity_error)
             EACH(LOAD_MASK, reachable_, certain)
             CALL(court_bridge_margins, _bridge_margins_1)(latest, extent, speed, position_error, velocity_error, FIXED(21), FIXED(68), FIXED(97), FIXED(98), FIXED(99), FIXED(100), FIXED(101), FIXED(102), FIXED(103), FIXED(104), FIXED(105), FIXED(106));
             V flat = _bridge_margins_1.margin;
@@ -5183,7 +5214,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_arrival_time, _arrival_time_1)(arrival);
             EACH(GET, _arrival_time_1, time)
 #if BOUNDED
-            CALL(court_arrival_certainty, _arrival_certainty_1)(clearance, time, delay, undecided_time, arrives, certain);
+            CALL(court_arrival_certainty, _arrival_certainty_1)(t, clearance, time, delay, undecided_time, arrives, certain);
             EACH(SET, _arrival_certainty_1, delay, undecided_time)
             CALL(court_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
             EACH(SET, _tie_undecided_1, undecided_time, earliest_delay)
@@ -5699,11 +5730,14 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             const M packed = lanes_both(rows, slow);
             if (lanes_any(packed)) {
                 EACH(LOAD, , held, slip_left)
-                BOUNDS(EACH(LOAD, , dx, dy, dz))
+                BOUNDS(EACH(LOAD_SINGLE, , clock_bound, position_bound, spin_bound, velocity_bound))
+                BOUNDS(EACH(LOAD, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
                 lanes_pack(worklist->slow_row + slow_shots, packed, lanes_add(iota(), K((double)i)));
                 EACH(PACK, slow_, held, mode, outcome, slip_left, vx, vy, vz, which, wx, wy, wz, x)
                 EACH(PACK, slow_, y, z)
-                BOUNDS(EACH(PACK, slow_, assured, dx, dy, dz, uncertain, velocity_error))
+                BOUNDS(EACH(PACK, slow_, assured, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
+                BOUNDS(EACH(PACK, slow_, uncertain))
+                BOUNDS(EACH(PACK_SINGLE, slow_, clock_bound, position_bound, spin_bound, velocity_bound))
                 if (LANES_SELDOM(varying)) {
                     for (size_t _p = 0; _p < 19; _p++) {
                         lanes_pack(worklist->slow_parameters.columns[slow_taken[_p]] + slow_shots, packed, lanes_load(worklist->parameters.columns[slow_taken[_p]] + i));
@@ -5715,7 +5749,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
         if (slow_shots) {
             EACH(CLEAR, slow_, row, held, mode, outcome, slip_left, vx, vy, vz, which, wx, wy, wz)
             EACH(CLEAR, slow_, x, y, z)
-            BOUNDS(EACH(CLEAR, slow_, assured, dx, dy, dz, uncertain, velocity_error))
+            BOUNDS(EACH(CLEAR, slow_, assured, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz))
+            BOUNDS(EACH(CLEAR, slow_, uncertain))
+            BOUNDS(EACH(CLEAR_SINGLE, slow_, clock_bound, position_bound, spin_bound, velocity_bound))
             if (LANES_SELDOM(varying)) {
                 for (size_t _p = 0; _p < 19; _p++) {
                     lanes_store(worklist->slow_parameters.columns[slow_taken[_p]] + slow_shots, K(0.0));
@@ -5726,8 +5762,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             LOOP(slow)(worklist, slow_shots, varying);
         for (size_t k = 0; k < slow_shots; k++) {
             const size_t row = (size_t)worklist->slow_row[k];
-            EACH(RETURN, (, slow_), held, mode, outcome, slip_left, x, y, z)
-            BOUNDS(EACH(RETURN, (, slow_), assured, dx, dy, dz, estimated, uncertain))
+            EACH(RETURN, (, slow_), held, mode, outcome, slip_left, vx, vy, vz, x, y, z)
+            BOUNDS(EACH(RETURN, (, slow_), assured, dvx, dvy, dvz, dx, dy, dz, estimated, uncertain))
         }
 #if BOUNDED
         }

@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation 9825af665afe78b0,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation b90b8028038b604d,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -1002,16 +1002,17 @@ static __device__ __forceinline__ kernel_found_out kernel_found(double arrival)
     return {_s0, _s0, 0.0};
 }
 
-/* A certain root, refined, and whether h is above 2^-24, so that it is refined again.
-   Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection. */
+/* A certain root or a return, refined; whether h is above 2^-24, so that it is again.
+   Table 1. 11 operations: 3 multiplications, 1 absolute value, 3 comparisons, 2 conjunctions, 1 disjunction, 1 selection. */
 struct kernel_refined_root_out {
     double arrival;
     bool refining;
 };
 
-static __device__ __forceinline__ kernel_refined_root_out kernel_refined_root(double gap, double rate, double ceiling, double arrival, double refined, bool certain)
+static __device__ __forceinline__ kernel_refined_root_out kernel_refined_root(double leaving, double gap, double rate, double ceiling, double arrival, double refined, bool certain)
 {
-    return {choose(certain, refined, arrival), certain && ((5.960464477539063e-08 * (rate * rate)) < (ceiling * fabs(gap)))};
+    const bool _s0 = certain || ((0.0 < leaving) && (rate < 0.0));
+    return {choose(_s0, refined, arrival), _s0 && ((5.960464477539063e-08 * (rate * rate)) < (ceiling * fabs(gap)))};
 }
 
 /* Margin of the form, F or F/t, in which an arrival was found.
@@ -1036,16 +1037,16 @@ static __device__ __forceinline__ kernel_arrival_time_out kernel_arrival_time(do
     return {choose((arrival < 0.0), 0.0, arrival)};
 }
 
-/* Delay of a certain arrival; the earliest undecided time, with that of any other one.
-   Table 1. 10 operations: 1 subtraction, 2 comparisons, 3 conjunctions, 1 complement, 3 selections. */
+/* Delay of a certain arrival; the earliest undecided time, with where the search of any other one stands.
+   Table 1. 12 operations: 1 subtraction, 3 comparisons, 3 conjunctions, 1 complement, 4 selections. */
 struct kernel_arrival_certainty_out {
     double delay, undecided_time;
 };
 
-static __device__ __forceinline__ kernel_arrival_certainty_out kernel_arrival_certainty(double clearance, double time, double delay, double undecided_time, bool arrives, bool certain)
+static __device__ __forceinline__ kernel_arrival_certainty_out kernel_arrival_certainty(double t, double clearance, double time, double delay, double undecided_time, bool arrives, bool certain)
 {
     const bool _s0 = certain && (0.0 < clearance);
-    const double _s1 = choose(certain, (time - delay), time);
+    const double _s1 = choose(certain, (time - delay), smaller(time, t));
     return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (_s1 < undecided_time)), _s1, undecided_time)};
 }
 
@@ -2330,6 +2331,51 @@ static __device__ __forceinline__ kernel_start_errors_out kernel_start_errors(do
     return {dx + choose((dx < 0.0), _s1, _s0), dy + choose((dy < 0.0), _s1, _s0), dz + choose((dz < 0.0), _s1, _s0)};
 }
 
+/* 1 if it is undecided whether the speed along the normal is a rounding.
+   Table 1. 33 operations: 10 additions, 8 multiplications, 1 division, 10 absolute values, 2 comparisons, 1 conjunction, 1 selection. */
+struct kernel_undecided_at_start_out {
+    double uncertain;
+};
+
+static __device__ __forceinline__ kernel_undecided_at_start_out kernel_undecided_at_start(double p_ball_radius, double x, double y, double z, double nx, double ny, double nz, double vx, double vy, double vz, double wx, double wy, double wz, double uncertain)
+{
+    const double _s0 = ((p_ball_radius * ((fabs(wx) + fabs(wy)) + fabs(wz))) + fabs(vx)) + fabs(vy);
+    const double _s1 = 3.552713678800501e-15 * (1.0 + (((fabs(x) + fabs(y)) + fabs(z)) / p_ball_radius));
+    const double _s2 = _s1 * (_s0 + fabs(vz));
+    const double _s3 = fabs((((nx * vx) + (ny * vy)) + (nz * vz)));
+    return {choose((((0.5 * _s2) < _s3) && (_s3 < (2.0 * _s2))), 1.0, uncertain)};
+}
+
+/* Errors with the rounding of a velocity along the surface.
+   its bound. 32 operations: 11 additions, 4 multiplications, 1 division, 1 negation, 9 absolute values, 3 comparisons, 3 selections. */
+struct kernel_start_velocity_errors_out {
+    double dvx, dvy, dvz;
+};
+
+static __device__ __forceinline__ kernel_start_velocity_errors_out kernel_start_velocity_errors(double p_ball_radius, double x, double y, double z, double vx, double vy, double vz, double wx, double wy, double wz, double dvx, double dvy, double dvz)
+{
+    const double _s0 = ((p_ball_radius * ((fabs(wx) + fabs(wy)) + fabs(wz))) + fabs(vx)) + fabs(vy);
+    const double _s1 = 3.552713678800501e-15 * (1.0 + (((fabs(x) + fabs(y)) + fabs(z)) / p_ball_radius));
+    const double _s2 = 0.03125 * (_s1 * (_s0 + fabs(vz)));
+    const double _s3 = -_s2;
+    return {dvx + choose((dvx < 0.0), _s3, _s2), dvy + choose((dvy < 0.0), _s3, _s2), dvz + choose((dvz < 0.0), _s3, _s2)};
+}
+
+/* Velocity of a ball that starts on a surface, along it if it is so to roundings.
+   the normal of Table 2. 35 operations: 10 additions, 3 subtractions, 9 multiplications, 1 division, 10 absolute values, 1 comparison, 1 selection. */
+struct kernel_velocity_at_start_out {
+    double vx, vy, vz;
+};
+
+static __device__ __forceinline__ kernel_velocity_at_start_out kernel_velocity_at_start(double p_ball_radius, double x, double y, double z, double nx, double ny, double nz, double vx, double vy, double vz, double wx, double wy, double wz)
+{
+    const double _s0 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const double _s1 = ((p_ball_radius * ((fabs(wx) + fabs(wy)) + fabs(wz))) + fabs(vx)) + fabs(vy);
+    const double _s2 = 3.552713678800501e-15 * (1.0 + (((fabs(x) + fabs(y)) + fabs(z)) / p_ball_radius));
+    const double _s3 = choose((fabs(_s0) <= (_s2 * (_s1 + fabs(vz)))), _s0, 0.0);
+    return {vx - (nx * _s3), vy - (ny * _s3), vz - (nz * _s3)};
+}
+
 /* Whether the ball is in contact, and has no flight to search.
    Table 1. 2 operations: 1 comparison, 1 selection. */
 struct kernel_in_contact_out {
@@ -2631,57 +2677,68 @@ static __device__ __forceinline__ kernel_ring_impact_undecided_out kernel_ring_i
 }
 
 /* Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
-   a geometric series of bounces. 171 operations: 22 additions, 4 subtractions, 52 multiplications, 9 divisions, 1 square root, 1 negation, 15 absolute values, 27 comparisons, 26 conjunctions, 8 disjunctions, 3 complements, 3 selections. */
+   a geometric series of bounces. 225 operations: 36 additions, 4 subtractions, 68 multiplications, 11 divisions, 1 square root, 2 negations, 22 absolute values, 32 comparisons, 31 conjunctions, 10 disjunctions, 5 complements, 3 selections. */
 struct kernel_ring_impact_settling_out {
     bool settles, lodges, slides, unpressed;
     double assured;
     bool undecided;
 };
 
-static __device__ __forceinline__ kernel_ring_impact_settling_out kernel_ring_impact_settling(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_friction, double p_ring_restitution, double wx, double wy, double wz, double velocity_error, double mode, double rolled_x, double rolled_y, double rolled_z, double turning_x, double turning_y, double turning_z, double slip, double bounce, double nearest, double second_contact_gap, double press, double weight, double rolling_friction, double lift, double gap_jerk)
+static __device__ __forceinline__ kernel_ring_impact_settling_out kernel_ring_impact_settling(double p_ball_radius, double p_gravity, double p_inertia, double p_ring_friction, double p_ring_restitution, double x, double y, double z, double nx, double ny, double nz, double vx, double vy, double vz, double wx, double wy, double wz, double position_error, double velocity_error, double mode, double per_reach, double rolled_x, double rolled_y, double rolled_z, double turning_x, double turning_y, double turning_z, double slip, double bounce, double nearest, double second_contact_gap, double press, double weight, double rolling_friction, double lift, double gap_jerk)
 {
     const double _s0 = 1.0 - p_ring_restitution;
     const bool _s1 = 0.0 < _s0;
     const double _s2 = bounce / press;
     const double _s3 = 4.440892098500626e-16 + ((fabs(turning_x) + fabs(turning_y)) + fabs(turning_z));
-    const double _s4 = ((p_ball_radius * ((fabs(wx) + fabs(wy)) + fabs(wz))) + fabs(rolled_x)) + fabs(rolled_y);
-    const double _s5 = _s4 + fabs(rolled_z);
-    const double _s6 = _s3 * _s5;
-    const double _s7 = fabs(weight);
-    const double _s8 = (8.0 * _s3) * (_s6 + _s7);
-    const double _s9 = _s0 * _s0;
-    const double _s10 = sqrt((p_ball_radius * _s7)) + _s5;
-    const double _s11 = 1.4210854715202004e-14 * _s10;
-    const double _s12 = 2.0 * rolling_friction;
-    const double _s13 = 1.0 + p_ring_restitution;
-    const double _s14 = p_ring_friction * _s13;
-    const double _s15 = press * _s14;
-    const bool _s16 = ((((0.0 < press) && _s1) && (((3.0 * _s2) * _s8) < (press * _s9))) && (slip <= (((8.0 * rolling_friction) * _s2) + _s11))) && (_s12 <= _s15);
-    const double _s17 = 0.5 * bounce;
-    const double _s18 = _s13 * _s0;
-    const double _s19 = 4.0 * rolling_friction;
-    const double _s20 = p_inertia * (1.0 / (1.0 + p_inertia));
-    const double _s21 = ((_s17 * _s2) + ((_s19 * (_s2 * _s2)) / _s18)) + ((((4.0 * slip) * _s20) * _s2) / _s0);
-    const double _s22 = 3.637978807091713e-12 * p_ball_radius;
-    const bool _s23 = _s16 && (_s21 <= _s22);
-    const double _s24 = 3.725290298461914e-09 * p_ball_radius;
-    const bool _s25 = second_contact_gap <= _s24;
-    const double _s26 = ((16.0 * _s2) * _s5) / _s0;
-    const bool _s27 = (_s24 + _s26) < nearest;
-    const bool _s28 = _s26 <= _s24;
-    const bool _s29 = bounce <= _s11;
-    const bool _s30 = (((mode == 5.0) && _s29) && (fabs(lift) <= (2.2737367544323206e-13 * (p_gravity + _s6)))) && (0.0 < gap_jerk);
-    const bool _s31 = !_s30;
-    const double _s32 = -lift;
-    const double _s33 = smaller(_s32, press);
-    const double _s34 = bounce / _s33;
-    const bool _s35 = (((0.0 < _s33) && _s1) && (((3.0 * _s34) * _s8) < (_s9 * _s33))) && ((_s24 + (((16.0 * _s34) * _s5) / _s0)) < nearest);
-    const bool _s36 = _s35 && (((_s17 * _s34) + ((_s19 * (_s34 * _s34)) / _s18)) <= _s22);
-    const double _s37 = ((2.0 * ((_s12 * _s34) + choose((0.0 < bounce), (bounce * _s14), 0.0))) / (_s20 * _s0)) + (1.4551915228366852e-11 * _s10);
-    const bool _s38 = (fabs(press) <= ((4.0 * velocity_error) * _s3)) || (((bounce * fabs((_s21 - _s22))) <= ((2.0 * velocity_error) * _s22)) && (0.0 < (p_ring_restitution * bounce)));
-    const double _s39 = 16.0 * velocity_error;
-    const bool _s40 = _s36 && ((fabs((slip - _s37)) < _s39) || (fabs((_s12 - _s15)) < (_s39 * ((_s14 * _s3) + _s3))));
-    return {((_s23 && (!_s25)) && (_s27 || _s28)) && _s31, (_s23 && _s25) && _s31, (_s36 && ((_s37 < slip) || (_s15 < _s12))) && _s31, (_s29 && (0.0 <= lift)) || _s30, choose(((_s16 && _s27) || _s35), 1.0, 0.0), ((_s38 || _s40) || ((_s23 && _s28) && (!_s27))) && _s31};
+    const double _s4 = p_ball_radius * ((fabs(wx) + fabs(wy)) + fabs(wz));
+    const double _s5 = ((_s4 + fabs(rolled_x)) + fabs(rolled_y)) + fabs(rolled_z);
+    const double _s6 = fabs(weight);
+    const double _s7 = (8.0 * _s3) * ((_s3 * _s5) + _s6);
+    const double _s8 = _s0 * _s0;
+    const double _s9 = sqrt((p_ball_radius * _s6)) + _s5;
+    const double _s10 = 1.4210854715202004e-14 * _s9;
+    const double _s11 = 2.0 * rolling_friction;
+    const double _s12 = 1.0 + p_ring_restitution;
+    const double _s13 = p_ring_friction * _s12;
+    const double _s14 = press * _s13;
+    const bool _s15 = ((((0.0 < press) && _s1) && (((3.0 * _s2) * _s7) < (press * _s8))) && (slip <= (((8.0 * rolling_friction) * _s2) + _s10))) && (_s11 <= _s14);
+    const double _s16 = 0.5 * bounce;
+    const double _s17 = _s12 * _s0;
+    const double _s18 = 4.0 * rolling_friction;
+    const double _s19 = p_inertia * (1.0 / (1.0 + p_inertia));
+    const double _s20 = ((_s16 * _s2) + ((_s18 * (_s2 * _s2)) / _s17)) + ((((4.0 * slip) * _s19) * _s2) / _s0);
+    const double _s21 = 3.637978807091713e-12 * p_ball_radius;
+    const bool _s22 = _s15 && (_s20 <= _s21);
+    const double _s23 = 3.725290298461914e-09 * p_ball_radius;
+    const bool _s24 = second_contact_gap <= _s23;
+    const double _s25 = ((16.0 * _s2) * _s5) / _s0;
+    const bool _s26 = (_s23 + _s25) < nearest;
+    const bool _s27 = _s25 <= _s23;
+    const bool _s28 = mode == 5.0;
+    const double _s29 = 3.552713678800501e-15 * (1.0 + (((fabs(x) + fabs(y)) + fabs(z)) / p_ball_radius));
+    const double _s30 = _s29 * (((_s4 + fabs(vx)) + fabs(vy)) + fabs(vz));
+    const bool _s31 = _s28 && (bounce <= _s30);
+    const bool _s32 = _s31 && (0.0 < gap_jerk);
+    const double _s33 = fabs(lift);
+    const double _s34 = 2.2737367544323206e-13 * (p_gravity + ((((vx * vx) + (vy * vy)) + (vz * vz)) / p_ball_radius));
+    const bool _s35 = _s32 && (_s33 <= _s34);
+    const bool _s36 = !_s35;
+    const double _s37 = -lift;
+    const double _s38 = smaller(_s37, press);
+    const double _s39 = bounce / _s38;
+    const bool _s40 = (((0.0 < _s38) && _s1) && (((3.0 * _s39) * _s7) < (_s8 * _s38))) && ((_s23 + (((16.0 * _s39) * _s5) / _s0)) < nearest);
+    const bool _s41 = _s40 && (((_s16 * _s39) + ((_s18 * (_s39 * _s39)) / _s17)) <= _s21);
+    const double _s42 = ((2.0 * ((_s11 * _s39) + choose((0.0 < bounce), (bounce * _s13), 0.0))) / (_s19 * _s0)) + (1.4551915228366852e-11 * _s9);
+    const bool _s43 = _s28 && ((0.5 * _s30) < (-(((nx * vx) + (ny * vy)) + (nz * vz))));
+    const double _s44 = slip + _s5;
+    const double _s45 = fabs(per_reach);
+    const double _s46 = p_gravity + ((_s44 * _s44) * _s45);
+    const double _s47 = ((8.0 * ((position_error * _s46) + (velocity_error * _s44))) * _s45) + (3.552713678800501e-15 * _s46);
+    const bool _s48 = (((bounce * fabs((_s20 - _s21))) <= ((2.0 * velocity_error) * _s21)) && (0.0 < (p_ring_restitution * bounce))) && (!_s31);
+    const double _s49 = 8.0 * velocity_error;
+    const bool _s50 = _s41 && ((fabs((slip - _s42)) < _s49) || (fabs((_s11 - _s14)) < (_s49 * ((_s13 * _s3) + _s3))));
+    const bool _s51 = ((((fabs(press) <= _s47) || (_s33 <= _s47)) || _s48) || _s50) || ((_s22 && _s27) && (!_s26));
+    return {((_s22 && (!_s24)) && (_s26 || _s27)) && _s36, (_s22 && _s24) && _s36, (_s41 && ((_s42 < slip) || (_s14 < _s11))) && _s36, (((bounce <= _s10) && (0.0 <= lift)) && (!_s43)) || _s35, choose(((_s15 && _s26) || _s40), 1.0, 0.0), (_s51 && _s36) || (_s32 && (((0.5 * _s34) < _s33) && (_s33 < (2.0 * _s34))))};
 }
 
 /* Excess F² - mu² N² and its rate.
@@ -6394,7 +6451,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o61.time;
                 gap = _o61.gap;
                 rate = _o61.rate;
-                const kernel_refined_root_out _o62 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o62 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o62.arrival;
                 refining = _o62.refining;
             }
@@ -6403,7 +6460,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o63.time;
                 gap = _o63.gap;
                 rate = _o63.rate;
-                const kernel_refined_root_out _o64 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o64 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o64.arrival;
                 refining = _o64.refining;
             }
@@ -6414,7 +6471,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o65.time;
                 gap = _o65.gap;
                 rate = _o65.rate;
-                const kernel_refined_root_out _o66 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o66 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o66.arrival;
                 refining = _o66.refining;
             }
@@ -6432,7 +6489,7 @@ static __device__ __forceinline__ void court_loop(
             const kernel_arrival_time_out _o70 = kernel_arrival_time(arrival);
             time = _o70.time;
             if (BOUNDS) {
-                const kernel_arrival_certainty_out _o71 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
+                const kernel_arrival_certainty_out _o71 = kernel_arrival_certainty(t, clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o71.delay;
                 undecided_time = _o71.undecided_time;
                 const kernel_tie_undecided_out _o72 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
@@ -6598,7 +6655,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o107.time;
                 gap = _o107.gap;
                 rate = _o107.rate;
-                const kernel_refined_root_out _o108 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o108 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o108.arrival;
                 refining = _o108.refining;
             }
@@ -6607,7 +6664,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o109.time;
                 gap = _o109.gap;
                 rate = _o109.rate;
-                const kernel_refined_root_out _o110 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o110 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o110.arrival;
                 refining = _o110.refining;
             }
@@ -6618,7 +6675,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o111.time;
                 gap = _o111.gap;
                 rate = _o111.rate;
-                const kernel_refined_root_out _o112 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o112 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o112.arrival;
                 refining = _o112.refining;
             }
@@ -6636,7 +6693,7 @@ static __device__ __forceinline__ void court_loop(
             const kernel_arrival_time_out _o116 = kernel_arrival_time(arrival);
             time = _o116.time;
             if (BOUNDS) {
-                const kernel_arrival_certainty_out _o117 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
+                const kernel_arrival_certainty_out _o117 = kernel_arrival_certainty(t, clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o117.delay;
                 undecided_time = _o117.undecided_time;
                 const kernel_tie_undecided_out _o118 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
@@ -6817,7 +6874,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o154.time;
                 gap = _o154.gap;
                 rate = _o154.rate;
-                const kernel_refined_root_out _o155 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o155 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o155.arrival;
                 refining = _o155.refining;
             }
@@ -6826,7 +6883,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o156.time;
                 gap = _o156.gap;
                 rate = _o156.rate;
-                const kernel_refined_root_out _o157 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o157 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o157.arrival;
                 refining = _o157.refining;
             }
@@ -6837,7 +6894,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o158.time;
                 gap = _o158.gap;
                 rate = _o158.rate;
-                const kernel_refined_root_out _o159 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o159 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o159.arrival;
                 refining = _o159.refining;
             }
@@ -6855,7 +6912,7 @@ static __device__ __forceinline__ void court_loop(
             const kernel_arrival_time_out _o163 = kernel_arrival_time(arrival);
             time = _o163.time;
             if (BOUNDS) {
-                const kernel_arrival_certainty_out _o164 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
+                const kernel_arrival_certainty_out _o164 = kernel_arrival_certainty(t, clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o164.delay;
                 undecided_time = _o164.undecided_time;
                 const kernel_tie_undecided_out _o165 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
@@ -8592,222 +8649,245 @@ static __device__ __forceinline__ void court_loop(
                     ny = _o512.ny;
                     nz = _o512.nz;
                 }
+                if (BOUNDS) {
+                    const kernel_undecided_at_start_out _o513 = kernel_undecided_at_start(p_ball_radius, x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, uncertain);
+                    uncertain = _o513.uncertain;
+                    const kernel_start_velocity_errors_out _o514 = kernel_start_velocity_errors(p_ball_radius, x, y, z, vx, vy, vz, wx, wy, wz, dvx, dvy, dvz);
+                    dvx = _o514.dvx;
+                    dvy = _o514.dvy;
+                    dvz = _o514.dvz;
+                }
+                const kernel_velocity_at_start_out _o515 = kernel_velocity_at_start(p_ball_radius, x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+                vx = _o515.vx;
+                vy = _o515.vy;
+                vz = _o515.vz;
             }
-            const kernel_nearly_out _o513 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
-            nearly = _o513.nearly;
-            const kernel_gripped_out _o514 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-            rolled_x = _o514.rolled_x;
-            rolled_y = _o514.rolled_y;
-            rolled_z = _o514.rolled_z;
-            slip = _o514.slip;
-            bounce = _o514.bounce;
-            const kernel_here_out _o515 = kernel_here(0.0, which);
-            here = _o515.here;
-            if (here) {
-                const kernel_ring_turning_out _o516 = kernel_ring_turning(p_ball_radius, p_ring_radius, p_wire_radius, x, y, rolled_x, rolled_y, rolled_z);
-                turning_x = _o516.turning_x;
-                turning_y = _o516.turning_y;
-                turning_z = _o516.turning_z;
-                const kernel_pressed_on_out _o517 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o517.press;
-                weight = _o517.weight;
-                rolling_friction = _o517.rolling_friction;
-                rolling_acceleration_x = _o517.rolling_acceleration_x;
-                rolling_acceleration_y = _o517.rolling_acceleration_y;
-                rolling_acceleration_z = _o517.rolling_acceleration_z;
-                const kernel_isolated_out _o518 = kernel_isolated();
-                nearest = _o518.nearest;
-                second_contact_gap = _o518.second_contact_gap;
-                const kernel_backboard_closing_out _o519 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o519.gap;
-                nearing = _o519.nearing;
-                rolling_gap_acceleration = _o519.rolling_gap_acceleration;
-                normal_cosine = _o519.normal_cosine;
-                const kernel_near_body_out _o520 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o520.nearest;
-                second_contact_gap = _o520.second_contact_gap;
-                const kernel_bridge_closing_out _o521 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o521.gap;
-                nearing = _o521.nearing;
-                rolling_gap_acceleration = _o521.rolling_gap_acceleration;
-                normal_cosine = _o521.normal_cosine;
-                const kernel_near_body_out _o522 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o522.nearest;
-                second_contact_gap = _o522.second_contact_gap;
-                const kernel_end_beside_out _o523 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o523.gap;
-                const kernel_near_end_plane_out _o524 = kernel_near_end_plane(gap, nearest);
-                nearest = _o524.nearest;
-                const kernel_ring_separation_out _o525 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
-                lift = _o525.lift;
-                gap_jerk = _o525.gap_jerk;
-                const kernel_ring_impact_settling_out _o526 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_ring_friction, p_ring_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
-                settles = _o526.settles;
-                lodges = _o526.lodges;
-                slides = _o526.slides;
-                unpressed = _o526.unpressed;
-                undecided = _o526.undecided;
-                if (BOUNDS)
-                    assured = _o526.assured;
-                const kernel_settled_out _o527 = kernel_settled(0.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
-                mode = _o527.mode;
-                held = _o527.held;
-                outcome = _o527.outcome;
-                slip_left = _o527.slip_left;
-                if (BOUNDS)
-                    uncertain = _o527.uncertain;
+            const kernel_nearly_out _o516 = kernel_nearly(p_ball_radius, p_gravity, nx, ny, nz, vx, vy, vz);
+            nearly = _o516.nearly;
+            const kernel_gripped_out _o517 = kernel_gripped(p_ball_radius, p_inertia, nx, ny, nz, vx, vy, vz, wx, wy, wz);
+            rolled_x = _o517.rolled_x;
+            rolled_y = _o517.rolled_y;
+            rolled_z = _o517.rolled_z;
+            slip = _o517.slip;
+            bounce = _o517.bounce;
+            if (BOUNDS) {
+                const kernel_error_bounds_out _o518 = kernel_error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, position_bound, velocity_bound, spin_bound, estimated, clock_bound);
+                position_error = _o518.position_error;
+                velocity_error = _o518.velocity_error;
             }
-            const kernel_here_out _o528 = kernel_here(1.0, which);
-            here = _o528.here;
+            const kernel_here_out _o519 = kernel_here(0.0, which);
+            here = _o519.here;
             if (here) {
-                const kernel_backboard_turning_out _o529 = kernel_backboard_turning(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, rolled_x, rolled_y, rolled_z);
-                turning_x = _o529.turning_x;
-                turning_y = _o529.turning_y;
-                turning_z = _o529.turning_z;
-                const kernel_pressed_on_out _o530 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o530.press;
-                weight = _o530.weight;
-                rolling_friction = _o530.rolling_friction;
-                rolling_acceleration_x = _o530.rolling_acceleration_x;
-                rolling_acceleration_y = _o530.rolling_acceleration_y;
-                rolling_acceleration_z = _o530.rolling_acceleration_z;
-                const kernel_isolated_out _o531 = kernel_isolated();
-                nearest = _o531.nearest;
-                second_contact_gap = _o531.second_contact_gap;
-                const kernel_ring_closing_out _o532 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o532.gap;
-                nearing = _o532.nearing;
-                rolling_gap_acceleration = _o532.rolling_gap_acceleration;
-                normal_cosine = _o532.normal_cosine;
-                const kernel_near_body_out _o533 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o533.nearest;
-                second_contact_gap = _o533.second_contact_gap;
-                const kernel_bridge_closing_out _o534 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o534.gap;
-                nearing = _o534.nearing;
-                rolling_gap_acceleration = _o534.rolling_gap_acceleration;
-                normal_cosine = _o534.normal_cosine;
-                const kernel_near_body_out _o535 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o535.nearest;
-                second_contact_gap = _o535.second_contact_gap;
-                const kernel_end_beside_out _o536 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o536.gap;
-                const kernel_near_end_plane_out _o537 = kernel_near_end_plane(gap, nearest);
+                const kernel_ring_rolling_surface_out _o520 = kernel_ring_rolling_surface(p_ball_radius, p_wire_radius);
+                per_reach = _o520.per_reach;
+                const kernel_ring_turning_out _o521 = kernel_ring_turning(p_ball_radius, p_ring_radius, p_wire_radius, x, y, rolled_x, rolled_y, rolled_z);
+                turning_x = _o521.turning_x;
+                turning_y = _o521.turning_y;
+                turning_z = _o521.turning_z;
+                const kernel_pressed_on_out _o522 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o522.press;
+                weight = _o522.weight;
+                rolling_friction = _o522.rolling_friction;
+                rolling_acceleration_x = _o522.rolling_acceleration_x;
+                rolling_acceleration_y = _o522.rolling_acceleration_y;
+                rolling_acceleration_z = _o522.rolling_acceleration_z;
+                const kernel_isolated_out _o523 = kernel_isolated();
+                nearest = _o523.nearest;
+                second_contact_gap = _o523.second_contact_gap;
+                const kernel_backboard_closing_out _o524 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o524.gap;
+                nearing = _o524.nearing;
+                rolling_gap_acceleration = _o524.rolling_gap_acceleration;
+                normal_cosine = _o524.normal_cosine;
+                const kernel_near_body_out _o525 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o525.nearest;
+                second_contact_gap = _o525.second_contact_gap;
+                const kernel_bridge_closing_out _o526 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o526.gap;
+                nearing = _o526.nearing;
+                rolling_gap_acceleration = _o526.rolling_gap_acceleration;
+                normal_cosine = _o526.normal_cosine;
+                const kernel_near_body_out _o527 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o527.nearest;
+                second_contact_gap = _o527.second_contact_gap;
+                const kernel_end_beside_out _o528 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o528.gap;
+                const kernel_near_end_plane_out _o529 = kernel_near_end_plane(gap, nearest);
+                nearest = _o529.nearest;
+                const kernel_ring_separation_out _o530 = kernel_ring_separation(p_gravity, p_ring_radius, x, y, z, vx, vy, vz);
+                lift = _o530.lift;
+                gap_jerk = _o530.gap_jerk;
+                const kernel_ring_impact_settling_out _o531 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_ring_friction, p_ring_restitution, x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, position_error, velocity_error, mode, per_reach, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
+                settles = _o531.settles;
+                lodges = _o531.lodges;
+                slides = _o531.slides;
+                unpressed = _o531.unpressed;
+                undecided = _o531.undecided;
+                if (BOUNDS)
+                    assured = _o531.assured;
+                const kernel_settled_out _o532 = kernel_settled(0.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                mode = _o532.mode;
+                held = _o532.held;
+                outcome = _o532.outcome;
+                slip_left = _o532.slip_left;
+                if (BOUNDS)
+                    uncertain = _o532.uncertain;
+            }
+            const kernel_here_out _o533 = kernel_here(1.0, which);
+            here = _o533.here;
+            if (here) {
+                const kernel_backboard_rolling_surface_out _o534 = kernel_backboard_rolling_surface(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, vx, vy, vz);
+                per_reach = _o534.per_reach;
+                const kernel_backboard_turning_out _o535 = kernel_backboard_turning(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, rolled_x, rolled_y, rolled_z);
+                turning_x = _o535.turning_x;
+                turning_y = _o535.turning_y;
+                turning_z = _o535.turning_z;
+                const kernel_pressed_on_out _o536 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o536.press;
+                weight = _o536.weight;
+                rolling_friction = _o536.rolling_friction;
+                rolling_acceleration_x = _o536.rolling_acceleration_x;
+                rolling_acceleration_y = _o536.rolling_acceleration_y;
+                rolling_acceleration_z = _o536.rolling_acceleration_z;
+                const kernel_isolated_out _o537 = kernel_isolated();
                 nearest = _o537.nearest;
-                const kernel_backboard_separation_out _o538 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
-                lift = _o538.lift;
-                gap_jerk = _o538.gap_jerk;
-                const kernel_ring_impact_settling_out _o539 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_backboard_friction, p_backboard_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
-                settles = _o539.settles;
-                lodges = _o539.lodges;
-                slides = _o539.slides;
-                unpressed = _o539.unpressed;
-                undecided = _o539.undecided;
+                second_contact_gap = _o537.second_contact_gap;
+                const kernel_ring_closing_out _o538 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o538.gap;
+                nearing = _o538.nearing;
+                rolling_gap_acceleration = _o538.rolling_gap_acceleration;
+                normal_cosine = _o538.normal_cosine;
+                const kernel_near_body_out _o539 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o539.nearest;
+                second_contact_gap = _o539.second_contact_gap;
+                const kernel_bridge_closing_out _o540 = kernel_bridge_closing(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o540.gap;
+                nearing = _o540.nearing;
+                rolling_gap_acceleration = _o540.rolling_gap_acceleration;
+                normal_cosine = _o540.normal_cosine;
+                const kernel_near_body_out _o541 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o541.nearest;
+                second_contact_gap = _o541.second_contact_gap;
+                const kernel_end_beside_out _o542 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o542.gap;
+                const kernel_near_end_plane_out _o543 = kernel_near_end_plane(gap, nearest);
+                nearest = _o543.nearest;
+                const kernel_backboard_separation_out _o544 = kernel_backboard_separation(p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, p_gravity, x, y, z, vx, vy, vz);
+                lift = _o544.lift;
+                gap_jerk = _o544.gap_jerk;
+                const kernel_ring_impact_settling_out _o545 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_backboard_friction, p_backboard_restitution, x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, position_error, velocity_error, mode, per_reach, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
+                settles = _o545.settles;
+                lodges = _o545.lodges;
+                slides = _o545.slides;
+                unpressed = _o545.unpressed;
+                undecided = _o545.undecided;
                 if (BOUNDS)
-                    assured = _o539.assured;
-                const kernel_settled_out _o540 = kernel_settled(1.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
-                mode = _o540.mode;
-                held = _o540.held;
-                outcome = _o540.outcome;
-                slip_left = _o540.slip_left;
+                    assured = _o545.assured;
+                const kernel_settled_out _o546 = kernel_settled(1.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                mode = _o546.mode;
+                held = _o546.held;
+                outcome = _o546.outcome;
+                slip_left = _o546.slip_left;
                 if (BOUNDS)
-                    uncertain = _o540.uncertain;
+                    uncertain = _o546.uncertain;
             }
-            const kernel_here_out _o541 = kernel_here(2.0, which);
-            here = _o541.here;
+            const kernel_here_out _o547 = kernel_here(2.0, which);
+            here = _o547.here;
             if (here) {
-                const kernel_bridge_turning_out _o542 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
-                turning_x = _o542.turning_x;
-                turning_y = _o542.turning_y;
-                turning_z = _o542.turning_z;
-                const kernel_pressed_on_out _o543 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o543.press;
-                weight = _o543.weight;
-                rolling_friction = _o543.rolling_friction;
-                rolling_acceleration_x = _o543.rolling_acceleration_x;
-                rolling_acceleration_y = _o543.rolling_acceleration_y;
-                rolling_acceleration_z = _o543.rolling_acceleration_z;
-                const kernel_isolated_out _o544 = kernel_isolated();
-                nearest = _o544.nearest;
-                second_contact_gap = _o544.second_contact_gap;
-                const kernel_ring_closing_out _o545 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o545.gap;
-                nearing = _o545.nearing;
-                rolling_gap_acceleration = _o545.rolling_gap_acceleration;
-                normal_cosine = _o545.normal_cosine;
-                const kernel_near_body_out _o546 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o546.nearest;
-                second_contact_gap = _o546.second_contact_gap;
-                const kernel_backboard_closing_out _o547 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o547.gap;
-                nearing = _o547.nearing;
-                rolling_gap_acceleration = _o547.rolling_gap_acceleration;
-                normal_cosine = _o547.normal_cosine;
-                const kernel_near_body_out _o548 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o548.nearest;
-                second_contact_gap = _o548.second_contact_gap;
-                const kernel_end_beside_out _o549 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o549.gap;
-                const kernel_near_end_plane_out _o550 = kernel_near_end_plane(gap, nearest);
-                nearest = _o550.nearest;
-                const kernel_bridge_separation_out _o551 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                lift = _o551.lift;
-                gap_jerk = _o551.gap_jerk;
-                const kernel_ring_impact_settling_out _o552 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_bridge_friction, p_bridge_restitution, wx, wy, wz, velocity_error, mode, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
-                settles = _o552.settles;
-                lodges = _o552.lodges;
-                slides = _o552.slides;
-                unpressed = _o552.unpressed;
-                undecided = _o552.undecided;
+                const kernel_bridge_rolling_surface_out _o548 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                per_reach = _o548.per_reach;
+                const kernel_bridge_turning_out _o549 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
+                turning_x = _o549.turning_x;
+                turning_y = _o549.turning_y;
+                turning_z = _o549.turning_z;
+                const kernel_pressed_on_out _o550 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o550.press;
+                weight = _o550.weight;
+                rolling_friction = _o550.rolling_friction;
+                rolling_acceleration_x = _o550.rolling_acceleration_x;
+                rolling_acceleration_y = _o550.rolling_acceleration_y;
+                rolling_acceleration_z = _o550.rolling_acceleration_z;
+                const kernel_isolated_out _o551 = kernel_isolated();
+                nearest = _o551.nearest;
+                second_contact_gap = _o551.second_contact_gap;
+                const kernel_ring_closing_out _o552 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o552.gap;
+                nearing = _o552.nearing;
+                rolling_gap_acceleration = _o552.rolling_gap_acceleration;
+                normal_cosine = _o552.normal_cosine;
+                const kernel_near_body_out _o553 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o553.nearest;
+                second_contact_gap = _o553.second_contact_gap;
+                const kernel_backboard_closing_out _o554 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o554.gap;
+                nearing = _o554.nearing;
+                rolling_gap_acceleration = _o554.rolling_gap_acceleration;
+                normal_cosine = _o554.normal_cosine;
+                const kernel_near_body_out _o555 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o555.nearest;
+                second_contact_gap = _o555.second_contact_gap;
+                const kernel_end_beside_out _o556 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o556.gap;
+                const kernel_near_end_plane_out _o557 = kernel_near_end_plane(gap, nearest);
+                nearest = _o557.nearest;
+                const kernel_bridge_separation_out _o558 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                lift = _o558.lift;
+                gap_jerk = _o558.gap_jerk;
+                const kernel_ring_impact_settling_out _o559 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_bridge_friction, p_bridge_restitution, x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, position_error, velocity_error, mode, per_reach, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
+                settles = _o559.settles;
+                lodges = _o559.lodges;
+                slides = _o559.slides;
+                unpressed = _o559.unpressed;
+                undecided = _o559.undecided;
                 if (BOUNDS)
-                    assured = _o552.assured;
-                const kernel_settled_out _o553 = kernel_settled(2.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
-                mode = _o553.mode;
-                held = _o553.held;
-                outcome = _o553.outcome;
-                slip_left = _o553.slip_left;
+                    assured = _o559.assured;
+                const kernel_settled_out _o560 = kernel_settled(2.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                mode = _o560.mode;
+                held = _o560.held;
+                outcome = _o560.outcome;
+                slip_left = _o560.slip_left;
                 if (BOUNDS)
-                    uncertain = _o553.uncertain;
+                    uncertain = _o560.uncertain;
             }
         }
         if (BOUNDS) {
             if (limited) {
-                const kernel_ends_by_time_limit_out _o554 = kernel_ends_by_time_limit(4.0, which, claims);
-                ends_by_time_limit = _o554.ends_by_time_limit;
+                const kernel_ends_by_time_limit_out _o561 = kernel_ends_by_time_limit(4.0, which, claims);
+                ends_by_time_limit = _o561.ends_by_time_limit;
                 if (ends_by_time_limit) {
-                    const kernel_carry_time_out _o555 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = _o555.dx;
-                    dy = _o555.dy;
-                    dz = _o555.dz;
-                    dvx = _o555.dvx;
-                    dvy = _o555.dvy;
-                    dvz = _o555.dvz;
-                    clock_error = _o555.clock_error;
-                    const kernel_bound_time_out _o556 = kernel_bound_time(when, x, y, z, vx, vy, vz, clock, position_bound, velocity_bound, spin_bound, clock_bound, p_gravity);
-                    position_bound = _o556.position_bound;
-                    velocity_bound = _o556.velocity_bound;
-                    spin_bound = _o556.spin_bound;
-                    clock_bound = _o556.clock_bound;
+                    const kernel_carry_time_out _o562 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
+                    dx = _o562.dx;
+                    dy = _o562.dy;
+                    dz = _o562.dz;
+                    dvx = _o562.dvx;
+                    dvy = _o562.dvy;
+                    dvz = _o562.dvz;
+                    clock_error = _o562.clock_error;
+                    const kernel_bound_time_out _o563 = kernel_bound_time(when, x, y, z, vx, vy, vz, clock, position_bound, velocity_bound, spin_bound, clock_bound, p_gravity);
+                    position_bound = _o563.position_bound;
+                    velocity_bound = _o563.velocity_bound;
+                    spin_bound = _o563.spin_bound;
+                    clock_bound = _o563.clock_bound;
                 }
             }
             if (hopped) {
-                const kernel_carry_hop_out _o557 = kernel_carry_hop(x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, when);
-                dx = _o557.dx;
-                dy = _o557.dy;
-                dz = _o557.dz;
+                const kernel_carry_hop_out _o564 = kernel_carry_hop(x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, when);
+                dx = _o564.dx;
+                dy = _o564.dy;
+                dz = _o564.dz;
             }
-            const kernel_closing_out _o558 = kernel_closing(outcome, claims);
-            reports = _o558.reports;
-            position_claim = _o558.position_claim;
-            velocity_claim = _o558.velocity_claim;
-            spin_claim = _o558.spin_claim;
-            time_claim = _o558.time_claim;
+            const kernel_closing_out _o565 = kernel_closing(outcome, claims);
+            reports = _o565.reports;
+            position_claim = _o565.position_claim;
+            velocity_claim = _o565.velocity_claim;
+            spin_claim = _o565.spin_claim;
+            time_claim = _o565.time_claim;
             if (reports) {
-                const kernel_claimed_errors_out _o559 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, position_bound, velocity_bound, spin_bound, estimated, clock_bound);
-                position_claim = _o559.position_error;
-                velocity_claim = _o559.velocity_error;
-                spin_claim = _o559.spin_error;
-                time_claim = _o559.time_error;
+                const kernel_claimed_errors_out _o566 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, position_bound, velocity_bound, spin_bound, estimated, clock_bound);
+                position_claim = _o566.position_error;
+                velocity_claim = _o566.velocity_error;
+                spin_claim = _o566.spin_error;
+                time_claim = _o566.time_error;
             }
         }
 

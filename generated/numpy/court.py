@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 9825af665afe78b0,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation b90b8028038b604d,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -474,6 +474,9 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "off_at_start": ("put_on",),
     "placed_at_start": ("x", "y", "z",),
     "start_errors": ("dx", "dy", "dz",),
+    "undecided_at_start": ("uncertain",),
+    "start_velocity_errors": ("dvx", "dvy", "dvz",),
+    "velocity_at_start": ("vx", "vy", "vz",),
     "in_contact": ("in_contact", "when", "rests", "rolling", "began",),
     "opens_in_flight": ("open",),
     "reachable_in_flight": ("reachable",),
@@ -777,169 +780,170 @@ _k127 = _scalar(0.0078125)
 _k128 = _scalar(128.0)
 _k129 = _float64(128.0)
 _k130 = _float64(2.384185791015625e-07)
-_k131 = _scalar(5.960464477539063e-08)
-_k132 = _float64(-_inf)
-_k133 = _scalar(2.2737367544323206e-13)
-_k134 = _scalar(1.4551915228366852e-11)
-_k135 = _float64(3.725290298461914e-09)
-_k136 = _float64(2.2737367544323206e-13)
-_k137 = _scalar(_float32(7.62939453125e-06))
-_k138 = _scalar(_float32(1.02))
-_k139 = _scalar(_float32(100.0))
-_k140 = _scalar(_float32(1.0))
-_k141 = _scalar(_float32(4194304.0))
-_k142 = _float32(1.0)
-_k143 = _scalar(_float32(1.125))
-_k144 = _scalar(_float32(3.552713678800501e-15))
-_k145 = _scalar(_float32(5.0))
-_k146 = _scalar(_float32(9.5367431640625e-07))
-_k147 = _scalar(_float32(-1.0))
-_k148 = _float32(32.0)
-_k149 = _scalar(_float32(4.0))
-_k150 = _scalar(_float32(20.0))
-_k151 = _scalar(_float32(1.05))
-_k152 = _scalar(_float32(0.421875))
-_k153 = _scalar(_float32(0.578125))
-_k154 = _float32(1.02)
-_k155 = _float32(7.62939453125e-06)
-_k156 = _float32(100.0)
-_k157 = _float32(4194304.0)
-_k158 = _float32(1.125)
-_k159 = _float32(3.552713678800501e-15)
-_k160 = _float32(5.0)
-_k161 = _float32(9.5367431640625e-07)
-_k162 = _float32(-1.0)
-_k163 = _float32(20.0)
-_k164 = _float32(4.0)
-_k165 = _float32(1.05)
-_k166 = _float32(0.421875)
-_k167 = _float32(0.578125)
-_k168 = _scalar(_float32(1.5))
-_k169 = _float32(16.0)
-_k170 = _scalar(_float32(1.7763568394002505e-15))
-_k171 = _float32(3.5)
-_k172 = _float32(7.0)
-_k173 = _float32(1.5)
-_k174 = _float32(1.7763568394002505e-15)
-_k175 = _float64(1.00006103515625)
-_k176 = _float64(0.0001220703125)
-_k177 = _float64(0.000244140625)
-_k178 = _float64(5.820766091346741e-11)
-_k179 = _float64(6.0003662109375)
-_k180 = _scalar(2.409919865102884e-181)
-_k181 = _scalar(-_inf)
-_k182 = _float64(2.409919865102884e-181)
-_k183 = _scalar(3.552713678800501e-15)
-_k184 = _float64(1.3323489447131243e-15)
-_k185 = _float64(5.00030517578125)
-_k186 = _float64(3.552713678800501e-15)
-_k187 = _float32(1.00006103515625)
-_k188 = _scalar(_float32(4.76837158203125e-07))
-_k189 = _scalar(_float32(8.673617379884035e-19))
-_k190 = _scalar(_float32(-_inf))
-_k191 = _float32(0.0001220703125)
-_k192 = _scalar(_float32(1.000000238418579))
-_k193 = _float32(4096.0)
-_k194 = _float32(0.000244140625)
-_k195 = _scalar(_float32(4096.0))
-_k196 = _float32(4.76837158203125e-07)
-_k197 = _float32(8.673617379884035e-19)
-_k198 = _float32(-_inf)
-_k199 = _float32(1.000000238418579)
-_k200 = _scalar(_float32(0.00390625))
-_k201 = _scalar(_float32(2.9802322387695312e-08))
-_k202 = _scalar(_float32(2.842170943040401e-14))
-_k203 = _float32(6.0003662109375)
-_k204 = _scalar(_float32(0.5))
-_k205 = _float32(5.0048828125)
-_k206 = _scalar(_float32(5.684341886080802e-14))
-_k207 = _scalar(_float32(2.384185791015625e-07))
-_k208 = _float32(128.0)
-_k209 = _float32(2.842170943040401e-14)
-_k210 = _float32(0.00390625)
-_k211 = _float32(2.9802322387695312e-08)
-_k212 = _float32(5.684341886080802e-14)
-_k213 = _float32(2.384185791015625e-07)
-_k214 = _float32(6.0)
-_k215 = _scalar(_float32(8.0))
-_k216 = _scalar(_float32(0.0001220703125))
-_k217 = _scalar(_float32(3.814697265625e-06))
-_k218 = _scalar(_float32(3.0))
-_k219 = _scalar(_float32(0.000244140625))
-_k220 = _float32(8.0)
-_k221 = _float32(3.814697265625e-06)
-_k222 = _float32(3.0)
-_k223 = _float64(8.940696716308594e-08)
-_k224 = _scalar(0.1)
-_k225 = _scalar(0.09090909090909091)
-_k226 = _scalar(0.08333333333333333)
-_k227 = _scalar(2.48015873015873e-05)
-_k228 = _scalar(2.08767569878681e-09)
-_k229 = _scalar(2.755731922398589e-07)
-_k230 = _scalar(0.001388888888888889)
-_k231 = _scalar(0.041666666666666664)
-_k232 = _scalar(0.008333333333333333)
-_k233 = _scalar(2.7557319223985893e-06)
-_k234 = _scalar(2.505210838544172e-08)
-_k235 = _scalar(0.0001984126984126984)
-_k236 = _float64(0.041666666666666664)
-_k237 = _float64(2.48015873015873e-05)
-_k238 = _float64(2.08767569878681e-09)
-_k239 = _float64(0.1)
-_k240 = _float64(0.09090909090909091)
-_k241 = _float64(0.08333333333333333)
-_k242 = _float64(2.755731922398589e-07)
-_k243 = _float64(0.001388888888888889)
-_k244 = _float64(0.008333333333333333)
-_k245 = _float64(2.7557319223985893e-06)
-_k246 = _float64(2.505210838544172e-08)
-_k247 = _float64(0.0001984126984126984)
-_k248 = _scalar(4.547473508864641e-13)
-_k249 = _scalar(0.75)
-_k250 = _scalar(11.0)
-_k251 = _scalar(10.0)
-_k252 = _scalar(9.0)
-_k253 = _float64(0.75)
-_k254 = _float64(4.547473508864641e-13)
-_k255 = _float64(11.0)
-_k256 = _float64(10.0)
-_k257 = _float64(9.0)
-_k258 = _scalar(512.0)
-_k259 = _float64(0.00390625)
-_k260 = _float64(512.0)
-_k261 = _float32(1.00048828125)
-_k262 = _float32(0.00048828125)
-_k263 = _float32(0.125)
-_k264 = _float32(1.4143014047294855)
-_k265 = _float32(0.25)
-_k266 = _float32(1.52587890625e-05)
-_k267 = _scalar(_float32(50.0))
-_k268 = _float32(2.220446049250313e-16)
-_k269 = _scalar(_float32(1.3322676295501878e-15))
-_k270 = _float32(8.881784197001252e-16)
-_k271 = _scalar(_float32(8.881784197001252e-16))
-_k272 = _float32(50.0)
-_k273 = _float32(1.3322676295501878e-15)
-_k274 = _float64(6.103515625e-05)
-_k275 = _float64(1.25)
-_k276 = _scalar(3.3306690738754696e-16)
-_k277 = _scalar(1.3335686721571705e-15)
-_k278 = _scalar(4.00390625)
-_k279 = _scalar(2.001953125)
-_k280 = _float64(5.55653613398821e-16)
-_k281 = _float64(2.001953125)
-_k282 = _float64(3.3306690738754696e-16)
-_k283 = _float64(1.3335686721571705e-15)
-_k284 = _float64(6.667843360785852e-15)
-_k285 = _float64(12.01171875)
-_k286 = _float64(4.00390625)
-_k287 = _float64(2.667137344314341e-15)
-_k288 = _float64(6.005859375)
-_k289 = _scalar(2.9802322387695312e-08)
-_k290 = _float64(5.551115123125783e-16)
-_k291 = _scalar(2.222614453595284e-16)
-_k292 = _float64(6.667843360785852e-16)
-_k293 = _float64(2.222614453595284e-16)
+_k131 = _scalar(3.552713678800501e-15)
+_k132 = _float64(3.552713678800501e-15)
+_k133 = _scalar(0.03125)
+_k134 = _scalar(5.960464477539063e-08)
+_k135 = _float64(-_inf)
+_k136 = _scalar(2.2737367544323206e-13)
+_k137 = _scalar(1.4551915228366852e-11)
+_k138 = _float64(3.725290298461914e-09)
+_k139 = _float64(2.2737367544323206e-13)
+_k140 = _scalar(_float32(7.62939453125e-06))
+_k141 = _scalar(_float32(1.02))
+_k142 = _scalar(_float32(100.0))
+_k143 = _scalar(_float32(1.0))
+_k144 = _scalar(_float32(4194304.0))
+_k145 = _float32(1.0)
+_k146 = _scalar(_float32(1.125))
+_k147 = _scalar(_float32(3.552713678800501e-15))
+_k148 = _scalar(_float32(5.0))
+_k149 = _scalar(_float32(9.5367431640625e-07))
+_k150 = _scalar(_float32(-1.0))
+_k151 = _float32(32.0)
+_k152 = _scalar(_float32(4.0))
+_k153 = _scalar(_float32(20.0))
+_k154 = _scalar(_float32(1.05))
+_k155 = _scalar(_float32(0.421875))
+_k156 = _scalar(_float32(0.578125))
+_k157 = _float32(1.02)
+_k158 = _float32(7.62939453125e-06)
+_k159 = _float32(100.0)
+_k160 = _float32(4194304.0)
+_k161 = _float32(1.125)
+_k162 = _float32(3.552713678800501e-15)
+_k163 = _float32(5.0)
+_k164 = _float32(9.5367431640625e-07)
+_k165 = _float32(-1.0)
+_k166 = _float32(20.0)
+_k167 = _float32(4.0)
+_k168 = _float32(1.05)
+_k169 = _float32(0.421875)
+_k170 = _float32(0.578125)
+_k171 = _scalar(_float32(1.5))
+_k172 = _float32(16.0)
+_k173 = _scalar(_float32(1.7763568394002505e-15))
+_k174 = _float32(3.5)
+_k175 = _float32(7.0)
+_k176 = _float32(1.5)
+_k177 = _float32(1.7763568394002505e-15)
+_k178 = _float64(1.00006103515625)
+_k179 = _float64(0.0001220703125)
+_k180 = _float64(0.000244140625)
+_k181 = _float64(5.820766091346741e-11)
+_k182 = _float64(6.0003662109375)
+_k183 = _scalar(2.409919865102884e-181)
+_k184 = _scalar(-_inf)
+_k185 = _float64(2.409919865102884e-181)
+_k186 = _float64(1.3323489447131243e-15)
+_k187 = _float64(5.00030517578125)
+_k188 = _float32(1.00006103515625)
+_k189 = _scalar(_float32(4.76837158203125e-07))
+_k190 = _scalar(_float32(8.673617379884035e-19))
+_k191 = _scalar(_float32(-_inf))
+_k192 = _float32(0.0001220703125)
+_k193 = _scalar(_float32(1.000000238418579))
+_k194 = _float32(4096.0)
+_k195 = _float32(0.000244140625)
+_k196 = _scalar(_float32(4096.0))
+_k197 = _float32(4.76837158203125e-07)
+_k198 = _float32(8.673617379884035e-19)
+_k199 = _float32(-_inf)
+_k200 = _float32(1.000000238418579)
+_k201 = _scalar(_float32(0.00390625))
+_k202 = _scalar(_float32(2.9802322387695312e-08))
+_k203 = _scalar(_float32(2.842170943040401e-14))
+_k204 = _float32(6.0003662109375)
+_k205 = _scalar(_float32(0.5))
+_k206 = _float32(5.0048828125)
+_k207 = _scalar(_float32(5.684341886080802e-14))
+_k208 = _scalar(_float32(2.384185791015625e-07))
+_k209 = _float32(128.0)
+_k210 = _float32(2.842170943040401e-14)
+_k211 = _float32(0.00390625)
+_k212 = _float32(2.9802322387695312e-08)
+_k213 = _float32(5.684341886080802e-14)
+_k214 = _float32(2.384185791015625e-07)
+_k215 = _float32(6.0)
+_k216 = _scalar(_float32(8.0))
+_k217 = _scalar(_float32(0.0001220703125))
+_k218 = _scalar(_float32(3.814697265625e-06))
+_k219 = _scalar(_float32(3.0))
+_k220 = _scalar(_float32(0.000244140625))
+_k221 = _float32(8.0)
+_k222 = _float32(3.814697265625e-06)
+_k223 = _float32(3.0)
+_k224 = _float64(8.940696716308594e-08)
+_k225 = _scalar(0.1)
+_k226 = _scalar(0.09090909090909091)
+_k227 = _scalar(0.08333333333333333)
+_k228 = _scalar(2.48015873015873e-05)
+_k229 = _scalar(2.08767569878681e-09)
+_k230 = _scalar(2.755731922398589e-07)
+_k231 = _scalar(0.001388888888888889)
+_k232 = _scalar(0.041666666666666664)
+_k233 = _scalar(0.008333333333333333)
+_k234 = _scalar(2.7557319223985893e-06)
+_k235 = _scalar(2.505210838544172e-08)
+_k236 = _scalar(0.0001984126984126984)
+_k237 = _float64(0.041666666666666664)
+_k238 = _float64(2.48015873015873e-05)
+_k239 = _float64(2.08767569878681e-09)
+_k240 = _float64(0.1)
+_k241 = _float64(0.09090909090909091)
+_k242 = _float64(0.08333333333333333)
+_k243 = _float64(2.755731922398589e-07)
+_k244 = _float64(0.001388888888888889)
+_k245 = _float64(0.008333333333333333)
+_k246 = _float64(2.7557319223985893e-06)
+_k247 = _float64(2.505210838544172e-08)
+_k248 = _float64(0.0001984126984126984)
+_k249 = _scalar(4.547473508864641e-13)
+_k250 = _scalar(0.75)
+_k251 = _scalar(11.0)
+_k252 = _scalar(10.0)
+_k253 = _scalar(9.0)
+_k254 = _float64(0.75)
+_k255 = _float64(4.547473508864641e-13)
+_k256 = _float64(11.0)
+_k257 = _float64(10.0)
+_k258 = _float64(9.0)
+_k259 = _scalar(512.0)
+_k260 = _float64(0.00390625)
+_k261 = _float64(512.0)
+_k262 = _float32(1.00048828125)
+_k263 = _float32(0.00048828125)
+_k264 = _float32(0.125)
+_k265 = _float32(1.4143014047294855)
+_k266 = _float32(0.25)
+_k267 = _float32(1.52587890625e-05)
+_k268 = _scalar(_float32(50.0))
+_k269 = _float32(2.220446049250313e-16)
+_k270 = _scalar(_float32(1.3322676295501878e-15))
+_k271 = _float32(8.881784197001252e-16)
+_k272 = _scalar(_float32(8.881784197001252e-16))
+_k273 = _float32(50.0)
+_k274 = _float32(1.3322676295501878e-15)
+_k275 = _float64(6.103515625e-05)
+_k276 = _float64(1.25)
+_k277 = _scalar(3.3306690738754696e-16)
+_k278 = _scalar(1.3335686721571705e-15)
+_k279 = _scalar(4.00390625)
+_k280 = _scalar(2.001953125)
+_k281 = _float64(5.55653613398821e-16)
+_k282 = _float64(2.001953125)
+_k283 = _float64(3.3306690738754696e-16)
+_k284 = _float64(1.3335686721571705e-15)
+_k285 = _float64(6.667843360785852e-15)
+_k286 = _float64(12.01171875)
+_k287 = _float64(4.00390625)
+_k288 = _float64(2.667137344314341e-15)
+_k289 = _float64(6.005859375)
+_k290 = _scalar(2.9802322387695312e-08)
+_k291 = _float64(5.551115123125783e-16)
+_k292 = _scalar(2.222614453595284e-16)
+_k293 = _float64(6.667843360785852e-16)
+_k294 = _float64(2.222614453595284e-16)
 
 
 def _bits(value: Any, row: Any) -> Any:
@@ -1826,12 +1830,13 @@ def found(arrival: Any) -> tuple[Any, ...]:
     return _s0, _s0, 0.0
 
 
-def refined_root(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
-    """A certain root, refined, and whether h is above 2^-24, so that it is refined again.
+def refined_root(leaving: Any, gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
+    """A certain root or a return, refined; whether h is above 2^-24, so that it is again.
 
-    Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection.
+    Table 1. 11 operations: 3 multiplications, 1 absolute value, 3 comparisons, 2 conjunctions, 1 disjunction, 1 selection.
     """
-    return _where(certain, refined, arrival), _logical_and(certain, ((5.960464477539063e-08 * (rate * rate)) < (ceiling * _absolute(gap))))
+    _s0 = _logical_or(certain, _logical_and((0.0 < leaving), (rate < 0.0)))
+    return _where(_s0, refined, arrival), _logical_and(_s0, ((5.960464477539063e-08 * (rate * rate)) < (ceiling * _absolute(gap))))
 
 
 def own_margin(leaving: Any, flat: Any, tilt: Any, arrival: Any) -> tuple[Any, ...]:
@@ -1850,13 +1855,13 @@ def arrival_time(arrival: Any) -> tuple[Any, ...]:
     return _where((arrival < 0.0), 0.0, arrival),
 
 
-def arrival_certainty(clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
-    """Delay of a certain arrival; the earliest undecided time, with that of any other one.
+def arrival_certainty(t: Any, clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
+    """Delay of a certain arrival; the earliest undecided time, with where the search of any other one stands.
 
-    Table 1. 10 operations: 1 subtraction, 2 comparisons, 3 conjunctions, 1 complement, 3 selections.
+    Table 1. 12 operations: 1 subtraction, 3 comparisons, 3 conjunctions, 1 complement, 4 selections.
     """
     _s0 = _logical_and(certain, (0.0 < clearance))
-    _s1 = _where(certain, (time - delay), time)
+    _s1 = _where(certain, (time - delay), _where(time < t, time, t))
     return _where(_s0, delay, 0.0), _where(_logical_and(_logical_and(arrives, _logical_not(_s0)), (_s1 < undecided_time)), _s1, undecided_time)
 
 
@@ -2943,6 +2948,45 @@ def start_errors(p_ball_radius: Any, x: Any, y: Any, z: Any, dx: Any, dy: Any, d
     return dx + _select(dx < _k4, _s1, _s0, _r2), dy + _select(dy < _k4, _s1, _s0, _r2), dz + _select(dz < _k4, _s1, _s0, _r2)
 
 
+def undecided_at_start(p_ball_radius: Any, x: Any, y: Any, z: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, uncertain: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """1 if it is undecided whether the speed along the normal is a rounding.
+
+    Table 1. 33 operations: 10 additions, 8 multiplications, 1 division, 10 absolute values, 2 comparisons, 1 conjunction, 1 selection.
+    """
+    _r0, _r1, _r2 = _room[:3]
+    _s0 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r0), _absolute(wy, _r1), _r1), _absolute(wz, _r0), _r0), _r0), _absolute(vx, _r1), _r1), _absolute(vy, _r0), _r0)
+    _s1 = _multiply(_k131, _add(_k39, _divide(_add(_add(_absolute(x, _r1), _absolute(y, _r2), _r2), _absolute(z, _r1), _r1), p_ball_radius, _r1), _r1), _r1)
+    _s2 = _multiply(_s1, _add(_s0, _absolute(vz, _r2), _r2), _r1)
+    _s3 = _absolute(_add(_add(_multiply(nx, vx, _r2), _multiply(ny, vy, _r0), _r0), _multiply(nz, vz, _r2), _r2), _r2)
+    return _result(_logical_and((_multiply(_k72, _s2, _r0) < _s3), (_s3 < _multiply(_k49, _s2, _r1))), _k39, uncertain, _r0),
+
+
+def start_velocity_errors(p_ball_radius: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, dvx: Any, dvy: Any, dvz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Errors with the rounding of a velocity along the surface.
+
+    its bound. 32 operations: 11 additions, 4 multiplications, 1 division, 1 negation, 9 absolute values, 3 comparisons, 3 selections.
+    """
+    _r0, _r1, _r2 = _room[:3]
+    _s0 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r0), _absolute(wy, _r1), _r1), _absolute(wz, _r0), _r0), _r0), _absolute(vx, _r1), _r1), _absolute(vy, _r0), _r0)
+    _s1 = _multiply(_k131, _add(_k39, _divide(_add(_add(_absolute(x, _r1), _absolute(y, _r2), _r2), _absolute(z, _r1), _r1), p_ball_radius, _r1), _r1), _r1)
+    _s2 = _multiply(_k133, _multiply(_s1, _add(_s0, _absolute(vz, _r2), _r2), _r1), _r1)
+    _s3 = _negative(_s2, _r2)
+    return dvx + _select(dvx < _k4, _s3, _s2, _r0), dvy + _select(dvy < _k4, _s3, _s2, _r0), dvz + _select(dvz < _k4, _s3, _s2, _r0)
+
+
+def velocity_at_start(p_ball_radius: Any, x: Any, y: Any, z: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Velocity of a ball that starts on a surface, along it if it is so to roundings.
+
+    the normal of Table 2. 35 operations: 10 additions, 3 subtractions, 9 multiplications, 1 division, 10 absolute values, 1 comparison, 1 selection.
+    """
+    _r0, _r1, _r2, _r3, _r4 = _room[:5]
+    _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
+    _s1 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r1), _absolute(wy, _r2), _r2), _absolute(wz, _r1), _r1), _r1), _absolute(vx, _r2), _r2), _absolute(vy, _r1), _r1)
+    _s2 = _multiply(_k131, _add(_k39, _divide(_add(_add(_absolute(x, _r2), _absolute(y, _r3), _r3), _absolute(z, _r2), _r2), p_ball_radius, _r2), _r2), _r2)
+    _s3 = _select(_absolute(_s0, _r3) <= _multiply(_s2, _add(_s1, _absolute(vz, _r4), _r4), _r2), _s0, _k4, _r2)
+    return vx - _multiply(nx, _s3, _r3), vy - _multiply(ny, _s3, _r3), vz - _multiply(nz, _s3, _r2)
+
+
 def in_contact(when: Any, mode: Any) -> tuple[Any, ...]:
     """Whether the ball is in contact, and has no flight to search.
 
@@ -3036,7 +3080,7 @@ def stay_in_contact(last: Any, which: Any, undecided_time: Any, body: Any, clock
     _s2 = which == _k3
     _s3 = which == _k100
     _s4 = which == _k52
-    _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= _k131))
+    _s5 = _logical_and(rolling, (_subtract(clock, began, _r1) <= _k134))
     _s6 = _k91 < which
     _s7 = mode == _k94
     _s8 = _result(_s5, _k49, _select(_s4, _k3, _select(rests, _k94, _select(_logical_or(_logical_or(_s6, rolling), _s7), _k78, reached, _r1), _r0), _r3), _r0)
@@ -3179,54 +3223,65 @@ def ring_impact_undecided(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, 
     return _s18,
 
 
-def ring_impact_settling(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_friction: Any, p_ring_restitution: Any, wx: Any, wy: Any, wz: Any, velocity_error: Any, mode: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, turning_x: Any, turning_y: Any, turning_z: Any, slip: Any, bounce: Any, nearest: Any, second_contact_gap: Any, press: Any, weight: Any, rolling_friction: Any, lift: Any, gap_jerk: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def ring_impact_settling(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_friction: Any, p_ring_restitution: Any, x: Any, y: Any, z: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, position_error: Any, velocity_error: Any, mode: Any, per_reach: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, turning_x: Any, turning_y: Any, turning_z: Any, slip: Any, bounce: Any, nearest: Any, second_contact_gap: Any, press: Any, weight: Any, rolling_friction: Any, lift: Any, gap_jerk: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
 
-    a geometric series of bounces. 171 operations: 22 additions, 4 subtractions, 52 multiplications, 9 divisions, 1 square root, 1 negation, 15 absolute values, 27 comparisons, 26 conjunctions, 8 disjunctions, 3 complements, 3 selections.
+    a geometric series of bounces. 225 operations: 36 additions, 4 subtractions, 68 multiplications, 11 divisions, 1 square root, 2 negations, 22 absolute values, 32 comparisons, 31 conjunctions, 10 disjunctions, 5 complements, 3 selections.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12 = _room[:13]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16 = _room[:17]
     _s0 = 1.0 - p_ring_restitution
     _s1 = 0.0 < _s0
     _s2 = _divide(bounce, press, _r0)
     _s3 = _add(_k14, _add(_add(_absolute(turning_x, _r1), _absolute(turning_y, _r2), _r2), _absolute(turning_z, _r1), _r1), _r1)
-    _s4 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r2), _absolute(wy, _r3), _r3), _absolute(wz, _r2), _r2), _r2), _absolute(rolled_x, _r3), _r3), _absolute(rolled_y, _r2), _r2)
-    _s5 = _add(_s4, _absolute(rolled_z, _r3), _r3)
-    _s6 = _multiply(_s3, _s5, _r2)
-    _s7 = _absolute(weight, _r4)
-    _s8 = _multiply(_multiply(_k52, _s3, _r5), _add(_s6, _s7, _r6), _r5)
-    _s9 = _s0 * _s0
-    _s10 = _add(_sqrt(_multiply(p_ball_radius, _s7, _r4), _r4), _s5, _r4)
-    _s11 = _multiply(_k104, _s10, _r6)
-    _s12 = _multiply(_k49, rolling_friction, _r7)
-    _s13 = 1.0 + p_ring_restitution
-    _s14 = p_ring_friction * _s13
-    _s15 = _multiply(press, _s14, _r8)
-    _s16 = _logical_and(_logical_and(_logical_and(_logical_and((_k4 < press), _s1), (_multiply(_multiply(_k90, _s2, _r9), _s8, _r9) < _multiply(press, _s9, _r10))), (slip <= _add(_multiply(_multiply(_k52, rolling_friction, _r10), _s2, _r10), _s11, _r10))), (_s12 <= _s15))
-    _s17 = _multiply(_k72, bounce, _r10)
-    _s18 = _s13 * _s0
-    _s19 = _multiply(_k91, rolling_friction, _r9)
-    _s20 = p_inertia * (1.0 / (1.0 + p_inertia))
-    _s21 = _add(_add(_multiply(_s17, _s2, _r11), _divide(_multiply(_s19, _multiply(_s2, _s2, _r12), _r12), _s18, _r12), _r12), _divide(_multiply(_multiply(_multiply(_k91, slip, _r11), _s20, _r11), _s2, _r11), _s0, _r11), _r11)
-    _s22 = 3.637978807091713e-12 * p_ball_radius
-    _s23 = _logical_and(_s16, (_s21 <= _s22))
-    _s24 = 3.725290298461914e-09 * p_ball_radius
-    _s25 = second_contact_gap <= _s24
-    _s26 = _divide(_multiply(_multiply(_k64, _s2, _r0), _s5, _r0), _s0, _r0)
-    _s27 = _add(_s24, _s26, _r12) < nearest
-    _s28 = _s26 <= _s24
-    _s29 = bounce <= _s11
-    _s30 = _logical_and(_logical_and(_logical_and((mode == _k94), _s29), (_absolute(lift, _r6) <= _multiply(_k133, _add(p_gravity, _s6, _r2), _r2))), (_k4 < gap_jerk))
-    _s31 = _logical_not(_s30)
-    _s32 = _negative(lift, _r2)
-    _s33 = _select(_s32 < press, _s32, press, _r6)
-    _s34 = _divide(bounce, _s33, _r0)
-    _s35 = _logical_and(_logical_and(_logical_and((_k4 < _s33), _s1), (_multiply(_multiply(_k90, _s34, _r12), _s8, _r12) < _multiply(_s9, _s33, _r6))), (_add(_s24, _divide(_multiply(_multiply(_k64, _s34, _r6), _s5, _r6), _s0, _r6), _r6) < nearest))
-    _s36 = _logical_and(_s35, (_add(_multiply(_s17, _s34, _r10), _divide(_multiply(_s19, _multiply(_s34, _s34, _r6), _r6), _s18, _r6), _r6) <= _s22))
-    _s37 = _add(_divide(_multiply(_k49, _add(_multiply(_s12, _s34, _r0), _select(_k4 < bounce, _multiply(bounce, _s14, _r6), _k4, _r10), _r10), _r10), _s20 * _s0, _r10), _multiply(_k134, _s10, _r4), _r4)
-    _s38 = _logical_or((_absolute(press, _r10) <= _multiply(_multiply(_k91, velocity_error, _r6), _s3, _r6)), _logical_and((_multiply(bounce, _absolute(_subtract(_s21, _s22, _r11), _r11), _r11) <= _multiply(_multiply(_k49, velocity_error, _r6), _s22, _r6)), (_k4 < _multiply(p_ring_restitution, bounce, _r6))))
-    _s39 = _multiply(_k64, velocity_error, _r6)
-    _s40 = _logical_and(_s36, _logical_or((_absolute(_subtract(slip, _s37, _r11), _r11) < _s39), (_absolute(_subtract(_s12, _s15, _r11), _r11) < _multiply(_s39, _add(_multiply(_s14, _s3, _r10), _s3, _r10), _r10))))
-    return _logical_and(_logical_and(_logical_and(_s23, _logical_not(_s25)), _logical_or(_s27, _s28)), _s31), _logical_and(_logical_and(_s23, _s25), _s31), _logical_and(_logical_and(_s36, _logical_or((_s37 < slip), (_s15 < _s12))), _s31), _logical_or(_logical_and(_s29, (_k4 <= lift)), _s30), _result(_logical_or(_logical_and(_s16, _s27), _s35), _k39, _k4, _r0), _logical_and(_logical_or(_logical_or(_s38, _s40), _logical_and(_logical_and(_s23, _s28), _logical_not(_s27))), _s31)
+    _s4 = _multiply(p_ball_radius, _add(_add(_absolute(wx, _r2), _absolute(wy, _r3), _r3), _absolute(wz, _r2), _r2), _r2)
+    _s5 = _add(_add(_add(_s4, _absolute(rolled_x, _r3), _r3), _absolute(rolled_y, _r4), _r4), _absolute(rolled_z, _r3), _r3)
+    _s6 = _absolute(weight, _r4)
+    _s7 = _multiply(_multiply(_k52, _s3, _r5), _add(_multiply(_s3, _s5, _r6), _s6, _r6), _r5)
+    _s8 = _s0 * _s0
+    _s9 = _add(_sqrt(_multiply(p_ball_radius, _s6, _r4), _r4), _s5, _r4)
+    _s10 = _multiply(_k104, _s9, _r6)
+    _s11 = _multiply(_k49, rolling_friction, _r7)
+    _s12 = 1.0 + p_ring_restitution
+    _s13 = p_ring_friction * _s12
+    _s14 = _multiply(press, _s13, _r8)
+    _s15 = _logical_and(_logical_and(_logical_and(_logical_and((_k4 < press), _s1), (_multiply(_multiply(_k90, _s2, _r9), _s7, _r9) < _multiply(press, _s8, _r10))), (slip <= _add(_multiply(_multiply(_k52, rolling_friction, _r10), _s2, _r10), _s10, _r10))), (_s11 <= _s14))
+    _s16 = _multiply(_k72, bounce, _r10)
+    _s17 = _s12 * _s0
+    _s18 = _multiply(_k91, rolling_friction, _r9)
+    _s19 = p_inertia * (1.0 / (1.0 + p_inertia))
+    _s20 = _add(_add(_multiply(_s16, _s2, _r11), _divide(_multiply(_s18, _multiply(_s2, _s2, _r12), _r12), _s17, _r12), _r12), _divide(_multiply(_multiply(_multiply(_k91, slip, _r11), _s19, _r11), _s2, _r11), _s0, _r11), _r11)
+    _s21 = 3.637978807091713e-12 * p_ball_radius
+    _s22 = _logical_and(_s15, (_s20 <= _s21))
+    _s23 = 3.725290298461914e-09 * p_ball_radius
+    _s24 = second_contact_gap <= _s23
+    _s25 = _divide(_multiply(_multiply(_k64, _s2, _r0), _s5, _r0), _s0, _r0)
+    _s26 = _add(_s23, _s25, _r12) < nearest
+    _s27 = _s25 <= _s23
+    _s28 = mode == _k94
+    _s29 = _multiply(_k131, _add(_k39, _divide(_add(_add(_absolute(x, _r0), _absolute(y, _r12), _r12), _absolute(z, _r0), _r0), p_ball_radius, _r0), _r0), _r0)
+    _s30 = _multiply(_s29, _add(_add(_add(_s4, _absolute(vx, _r12), _r12), _absolute(vy, _r2), _r2), _absolute(vz, _r12), _r12), _r0)
+    _s31 = _logical_and(_s28, (bounce <= _s30))
+    _s32 = _logical_and(_s31, (_k4 < gap_jerk))
+    _s33 = _absolute(lift, _r12)
+    _s34 = _multiply(_k136, _add(p_gravity, _divide(_add(_add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r13), _r13), _multiply(vz, vz, _r2), _r2), p_ball_radius, _r2), _r2), _r2)
+    _s35 = _logical_and(_s32, (_s33 <= _s34))
+    _s36 = _logical_not(_s35)
+    _s37 = _negative(lift, _r13)
+    _s38 = _select(_s37 < press, _s37, press, _r14)
+    _s39 = _divide(bounce, _s38, _r15)
+    _s40 = _logical_and(_logical_and(_logical_and((_k4 < _s38), _s1), (_multiply(_multiply(_k90, _s39, _r16), _s7, _r16) < _multiply(_s8, _s38, _r14))), (_add(_s23, _divide(_multiply(_multiply(_k64, _s39, _r14), _s5, _r14), _s0, _r14), _r14) < nearest))
+    _s41 = _logical_and(_s40, (_add(_multiply(_s16, _s39, _r10), _divide(_multiply(_s18, _multiply(_s39, _s39, _r14), _r14), _s17, _r14), _r14) <= _s21))
+    _s42 = _add(_divide(_multiply(_k49, _add(_multiply(_s11, _s39, _r15), _select(_k4 < bounce, _multiply(bounce, _s13, _r14), _k4, _r10), _r10), _r10), _s19 * _s0, _r10), _multiply(_k137, _s9, _r4), _r4)
+    _s43 = _logical_and(_s28, (_multiply(_k72, _s30, _r0) < _negative(_add(_add(_multiply(nx, vx, _r10), _multiply(ny, vy, _r14), _r14), _multiply(nz, vz, _r10), _r10), _r10)))
+    _s44 = _add(slip, _s5, _r3)
+    _s45 = _absolute(per_reach, _r10)
+    _s46 = _add(p_gravity, _multiply(_multiply(_s44, _s44, _r0), _s45, _r0), _r0)
+    _s47 = _add(_multiply(_multiply(_k52, _add(_multiply(position_error, _s46, _r14), _multiply(velocity_error, _s44, _r3), _r3), _r3), _s45, _r3), _multiply(_k131, _s46, _r0), _r0)
+    _s48 = _logical_and(_logical_and((_multiply(bounce, _absolute(_subtract(_s20, _s21, _r11), _r11), _r11) <= _multiply(_multiply(_k49, velocity_error, _r3), _s21, _r3)), (_k4 < _multiply(p_ring_restitution, bounce, _r3))), _logical_not(_s31))
+    _s49 = _multiply(_k52, velocity_error, _r3)
+    _s50 = _logical_and(_s41, _logical_or((_absolute(_subtract(slip, _s42, _r11), _r11) < _s49), (_absolute(_subtract(_s11, _s14, _r11), _r11) < _multiply(_s49, _add(_multiply(_s13, _s3, _r10), _s3, _r10), _r10))))
+    _s51 = _logical_or(_logical_or(_logical_or(_logical_or((_absolute(press, _r10) <= _s47), (_s33 <= _s47)), _s48), _s50), _logical_and(_logical_and(_s22, _s27), _logical_not(_s26)))
+    return _logical_and(_logical_and(_logical_and(_s22, _logical_not(_s24)), _logical_or(_s26, _s27)), _s36), _logical_and(_logical_and(_s22, _s24), _s36), _logical_and(_logical_and(_s41, _logical_or((_s42 < slip), (_s14 < _s11))), _s36), _logical_or(_logical_and(_logical_and((bounce <= _s10), (_k4 <= lift)), _logical_not(_s43)), _s35), _result(_logical_or(_logical_and(_s15, _s26), _s40), _k39, _k4, _r0), _logical_or(_logical_and(_s51, _s36), _logical_and(_s32, _logical_and((_multiply(_k72, _s34, _r6) < _s33), (_s33 < _multiply(_k49, _s34, _r2)))))
 
 
 def ring_impact_grip_deficit(p_ring_friction: Any, rolling_friction: Any, rolling_friction_rate: Any, force: Any, force_rate: Any) -> tuple[Any, ...]:
@@ -3310,8 +3365,8 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s39 = _add(_add(_s1, _s4, _r36), _s38, _r36)
     _s40 = _add(_multiply(place_s, left_bend_s, _r37), _multiply(place_e, left_bend_e, _r38), _r38)
     _s41 = _multiply(_add(_s37, _s39, _r37), _s40, _r37)
-    _s42 = _multiply(_k137, _add(_multiply(t, _s41, _r39), _s9, _r39), _r39)
-    _s43 = _add(_add(_add(root_offset, _multiply(_multiply(_k138, _multiply(sharpest_bend, _s9, _r40), _r40), _s9, _r40), _r40), _add(_s35, _multiply(pace_e, _absolute(_s36, _r41), _r41), _r41), _r41), _s42, _r41)
+    _s42 = _multiply(_k140, _add(_multiply(t, _s41, _r39), _s9, _r39), _r39)
+    _s43 = _add(_add(_add(root_offset, _multiply(_multiply(_k141, _multiply(sharpest_bend, _s9, _r40), _r40), _s9, _r40), _r40), _add(_s35, _multiply(pace_e, _absolute(_s36, _r41), _r41), _r41), _r41), _s42, _r41)
     _s44 = _absolute(normal_velocity, _r40)
     _s45 = _divide(_multiply(_k23, _s43, _r41), _s44, _r41)
     _s46 = _add(_k21, _multiply(_k22, _add(_add(_add(_s37, _s1, _r34), _s4, _r34), _s38, _r34), _r34), _r34)
@@ -3319,21 +3374,21 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s48 = _add(_multiply(p_gravity, _s45, _r3), _s47, _r3)
     _s49 = _add(_s48, _s39, _r1)
     _s50 = _add(_multiply(_s45, _s49, _r32), _s9, _r32)
-    _s51 = _multiply(_k138, sharpest_bend, _r7)
+    _s51 = _multiply(_k141, sharpest_bend, _r7)
     _s52 = _multiply(_s51, _s50, _r42)
     _s53 = _subtract(_multiply(_k25, _add(_add(_multiply(_absolute(_s0, _r43), _s45, _r43), _multiply(_s52, _s49, _r44), _r44), _s47, _r44), _r44), _s44, _r44)
-    _s54 = _subtract(_multiply(_k139, _multiply(sharpest_bend, _s50, _r43), _r43), _k140, _r43)
+    _s54 = _subtract(_multiply(_k142, _multiply(sharpest_bend, _s50, _r43), _r43), _k143, _r43)
     _s55 = _select(_s53 < _s54, _s54, _s53, _r45)
     _s56 = _add(_multiply(_s6, _multiply(_s45, _s45, _r46), _r46), _multiply(_s45, _s47, _r35), _r35)
     _s57 = _divide(_add(_multiply(_s52, _s50, _r46), _s56, _r46), _s44, _r46)
     _s58 = _add(_multiply(_s57, _s39, _r47), _s56, _r47)
     _s59 = _add(_add(root_level, _s58, _r35), _add(_add(_multiply(_absolute(nx, _r48), _s3, _r48), _multiply(_absolute(ny, _r49), _s5, _r49), _r49), _multiply(_absolute(nz, _r48), _s8, _r48), _r48), _r48)
     _s60 = _multiply(bend_s, _s59, _r35)
-    _s61 = _subtract(_multiply(_k141, _add(_multiply(place_n, left_bend_s, _r49), _s60, _r49), _r49), _k140, _r49)
+    _s61 = _subtract(_multiply(_k144, _add(_multiply(place_n, left_bend_s, _r49), _s60, _r49), _r49), _k143, _r49)
     _s62 = _select(_s55 < _s61, _s61, _s55, _r50)
-    _s63 = (p_inertia * (_k142 + p_tangential_restitution)) / (_k142 + p_inertia)
+    _s63 = (p_inertia * (_k145 + p_tangential_restitution)) / (_k145 + p_inertia)
     _s64 = _add(_add(_absolute(wx, _r51), _absolute(wy, _r52), _r52), _absolute(wz, _r51), _r51)
-    _s65 = _multiply(_k143, _s52, _r52)
+    _s65 = _multiply(_k146, _s52, _r52)
     _s66 = _add(spin_bound, _multiply(_s65, _add(spin_bound, _s64, _r53), _r53), _r53)
     _s67 = _add(_multiply(_s65, _s49, _r1), _s48, _r1)
     _s68 = _add(_multiply(p_ball_radius, _s66, _r54), _s67, _r54)
@@ -3342,20 +3397,20 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s71 = _add(_multiply(_multiply(p_ball_radius, _s69, _r56), _s64, _r56), _s70, _r56)
     _s72 = _add(_s68, _s71, _r57)
     _s73 = _multiply(_s69, _s39, _r58)
-    _s74 = _k142 + p_ring_restitution
+    _s74 = _k145 + p_ring_restitution
     _s75 = _where((p_ring_friction < _k36), (p_ring_friction * _s74), _k34)
     _s76 = _add(_multiply(p_ball_radius, _s64, _r59), _s39, _r59)
     _s77 = _multiply(_s63, _s76, _r60)
-    _s78 = _subtract(_add(_multiply(_k143, _add(_multiply(_s63, _s72, _r61), _multiply(_add(_s73, _s67, _r62), _s75, _r62), _r62), _r62), _multiply(_k144, _add(_s77, _multiply(_s39, _s75, _r61), _r61), _r61), _r61), _absolute(slip_margin, _r62), _r62)
+    _s78 = _subtract(_add(_multiply(_k146, _add(_multiply(_s63, _s72, _r61), _multiply(_add(_s73, _s67, _r62), _s75, _r62), _r62), _r62), _multiply(_k147, _add(_s77, _multiply(_s39, _s75, _r61), _r61), _r61), _r61), _absolute(slip_margin, _r62), _r62)
     _s79 = _select(_s62 < _s78, _s78, _s62, _r61)
     _s80 = slip_margin < _k26
-    _s81 = _select(_s80, _subtract(_multiply(_k145, _add(_multiply(_k146, _s76, _r63), _s72, _r63), _r63), slip_speed, _r63), _k147, _r57)
+    _s81 = _select(_s80, _subtract(_multiply(_k148, _add(_multiply(_k149, _s76, _r63), _s72, _r63), _r63), slip_speed, _r63), _k150, _r57)
     _s82 = _multiply(_k24, _s59, _r48)
     _s83 = _select(_s79 < _s81, _s81, _s79, _r64) <= _k26
     _s84 = _divide(_add(root_offset, _s42, _r64), _s44, _r64)
     _s85 = _add(_multiply(_absolute(_s20, _r57), _s84, _r57), _add(_add(_multiply(_absolute(_s13, _r63), _s5, _r63), _multiply(_absolute(_s12, _r61), _s3, _r61), _r61), _multiply(_absolute(_s19, _r63), _s8, _r63), _r63), _r63)
-    _s86 = _add(_add(_s58, _multiply(_k137, _s50, _r32), _r32), _s42, _r32)
-    _s87 = _divide(_k140, normal_velocity, _r39)
+    _s86 = _add(_add(_s58, _multiply(_k140, _s50, _r32), _r32), _s42, _r32)
+    _s87 = _divide(_k143, normal_velocity, _r39)
     _s88 = _negative(_multiply(_s87, _s11, _r8), _r8)
     _s89 = _add(_add(_multiply(left_nx, _s12, _r57), _multiply(left_ny, _s13, _r61), _r61), _multiply(left_nz, _s19, _r57), _r57)
     _s90 = _add(_multiply(_s88, _s20, _r61), _s89, _r61)
@@ -3391,34 +3446,34 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s120 = _add(_add(_add(_add(_multiply(place_n, _absolute(_s112, _r19), _r19), _multiply(place_s, _absolute(_s115, _r73), _r73), _r73), _multiply(place_e, _absolute(_s117, _r19), _r19), _r19), _multiply(pace_n, _absolute(_s118, _r73), _r73), _r73), _multiply(pace_s, _absolute(_s119, _r19), _r19), _r19)
     _s121 = _add(_multiply(_s106, _s16, _r73), _multiply(t, _s17, _r74), _r74)
     _s122 = _multiply(_k24, _add(_add(_s110, _s86, _r73), _add(_s120, _multiply(pace_e, _absolute(_s121, _r75), _r75), _r75), _r75), _r75)
-    _s123 = _add(_k140, _divide(_s44, p_restitution_speed, _r73), _r73)
-    _s124 = _multiply(p_ring_restitution, _subtract(_divide(_k140, _s123, _r19), _divide(_multiply(_s44, _k142 / p_restitution_speed, _r76), _multiply(_s123, _s123, _r77), _r76), _r76), _r76)
+    _s123 = _add(_k143, _divide(_s44, p_restitution_speed, _r73), _r73)
+    _s124 = _multiply(p_ring_restitution, _subtract(_divide(_k143, _s123, _r19), _divide(_multiply(_s44, _k145 / p_restitution_speed, _r76), _multiply(_s123, _s123, _r77), _r76), _r76), _r76)
     _s125 = _add(_multiply(p_gravity, _s84, _r64), _s46, _r64)
     _s126 = _negative(_multiply(bend_s, _s20, _r34), _r34)
     _s127 = _multiply(bend_e, _s19, _r19)
     _s128 = _multiply(_s127, _s16, _r77)
     _s129 = _add(_s125, _add(_multiply(_absolute(_s126, _r78), _s85, _r78), _multiply(_absolute(_s128, _r79), _s110, _r79), _r79), _r79)
     _s130 = _select(_s80, _s75, _k26, _r78)
-    _s131 = _add(_multiply(_k148 * _s63, _s76, _r80), _multiply(_multiply(_k149, _s39, _r81), _s130, _r81), _r81)
-    _s132 = _add(_k21, _multiply(_k22, _add(_multiply(_k150, _s76, _r80), _s131, _r80), _r80), _r80)
+    _s131 = _add(_multiply(_k151 * _s63, _s76, _r80), _multiply(_multiply(_k152, _s39, _r81), _s130, _r81), _r81)
+    _s132 = _add(_k21, _multiply(_k22, _add(_multiply(_k153, _s76, _r80), _s131, _r80), _r80), _r80)
     _s133 = p_ring_restitution / p_restitution_speed
     _s134 = _multiply(_s67, _s67, _r82)
-    _s135 = _multiply(_k143, _add(_multiply(_s63, _s68, _r83), _multiply(_s67, _s130, _r84), _r84), _r84)
+    _s135 = _multiply(_k146, _add(_multiply(_s63, _s68, _r83), _multiply(_s67, _s130, _r84), _r84), _r84)
     _s136 = _multiply(_add(bend_s, bend_e, _r83), _s86, _r83)
     _s137 = _add(_s77, _s39, _r32)
     _s138 = _add(_multiply(_s51, _s58, _r47), _multiply(_k19, _multiply(_s52, _s52, _r7), _r7), _r7)
-    _s139 = _multiply(_k143, _s138, _r47)
-    _s140 = _add(_multiply(p_gravity, _s57, _r46), _multiply(_k143, _add(_multiply(_s52, _s48, _r85), _multiply(_s138, _s39, _r86), _r86), _r86), _r86)
+    _s139 = _multiply(_k146, _s138, _r47)
+    _s140 = _add(_multiply(p_gravity, _s57, _r46), _multiply(_k146, _add(_multiply(_s52, _s48, _r85), _multiply(_s138, _s39, _r86), _r86), _r86), _r86)
     _s141 = _add(_add(_add(_add(_multiply(_s133, _s134, _r46), _multiply(_s65, _add(_s67, _s135, _r85), _r85), _r85), _multiply(_s136, _s137, _r46), _r46), _multiply(_s139, _s137, _r85), _r85), _s140, _r85)
-    _s142 = _multiply(_k149, _s52, _r46)
+    _s142 = _multiply(_k152, _s52, _r46)
     _s143 = _add(_multiply(_s142, _s39, _r36), _multiply(_k19, _add(_s41, _s48, _r3), _r3), _r3)
     _s144 = _add(_multiply(_s142, _s64, _r46), _multiply(_k19, _add(spin_bound, _multiply(_s40, _s64, _r38), _r38), _r38), _r38)
     _s145 = _multiply(_k19, _add(_multiply(_s63, _add(_multiply(p_ball_radius, _s144, _r46), _s143, _r46), _r46), _multiply(_s143, _s130, _r36), _r36), _r36)
-    _s146 = _multiply(_k143, _add(_multiply(spin_bound, _s52, _r42), _multiply(_s138, _s64, _r7), _r7), _r7)
-    _s147 = _select(_s80, _add(_multiply(_divide(_s68, slip_speed, _r42), _add(_multiply(_multiply(_k138, _s67, _r1), _s130, _r1), _multiply(_multiply(_k151, slip_share, _r46), _s68, _r46), _r46), _r46), _multiply(p_ring_friction * _s133, _s134, _r82), _r82), _k26, _r46)
+    _s146 = _multiply(_k146, _add(_multiply(spin_bound, _s52, _r42), _multiply(_s138, _s64, _r7), _r7), _r7)
+    _s147 = _select(_s80, _add(_multiply(_divide(_s68, slip_speed, _r42), _add(_multiply(_multiply(_k141, _s67, _r1), _s130, _r1), _multiply(_multiply(_k154, slip_share, _r46), _s68, _r46), _r46), _r46), _multiply(p_ring_friction * _s133, _s134, _r82), _r82), _k26, _r46)
     _s148 = _add(_add(_multiply(_s63, _add(_multiply(p_ball_radius, _s146, _r42), _s140, _r42), _r42), _multiply(_s140, _s130, _r86), _r86), _s147, _r46)
-    _s149 = _add(_add(_s141, _multiply(_k137, _add(_s143, _s145, _r3), _r3), _r3), _s148, _r3)
-    _s150 = _multiply(_k143, _add(_multiply(_s73, _s130, _r78), _multiply(_s63, _s71, _r56), _r56), _r56)
+    _s149 = _add(_add(_s141, _multiply(_k140, _add(_s143, _s145, _r3), _r3), _r3), _s148, _r3)
+    _s150 = _multiply(_k146, _add(_multiply(_s73, _s130, _r78), _multiply(_s63, _s71, _r56), _r56), _r56)
     _s151 = _negative(_multiply(_s0, _s124, _r78), _r78)
     _s152 = _negative(_multiply(_s124, _s126, _r58), _r58)
     _s153 = _negative(_multiply(_s124, _s128, _r85), _r85)
@@ -3453,10 +3508,10 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s182 = _multiply(_s109, _s85, _r96)
     _s183 = _multiply(bend_e, _subtract(_multiply(nz, _s20, _r97), _multiply(normal_velocity, _s19, _r98), _r98), _r98)
     _s184 = _add(_s125, _add(_s182, _multiply(_absolute(_s183, _r97), _s110, _r97), _r97), _r97)
-    _s185 = _select(_s80, _multiply(p_ring_friction, _add(_k140, _s124, _r76), _r76), _k26, _r64)
+    _s185 = _select(_s80, _multiply(p_ring_friction, _add(_k143, _s124, _r76), _r76), _k26, _r64)
     _s186 = _negative(_s185, _r99)
     _s187 = _multiply(_s163, _s186, _r100)
-    _s188 = _add(_add(_add(_multiply(_absolute(_subtract(_k140, _s166, _r101), _r101), _s170, _r101), _multiply(_absolute(_negative(_s173, _r102), _r102), _s179, _r102), _r102), _multiply(_absolute(_negative(_s181, _r101), _r101), _s184, _r101), _r101), _multiply(_absolute(_negative(_s187, _r102), _r102), _s129, _r102), _r102)
+    _s188 = _add(_add(_add(_multiply(_absolute(_subtract(_k143, _s166, _r101), _r101), _s170, _r101), _multiply(_absolute(_negative(_s173, _r102), _r102), _s179, _r102), _r102), _multiply(_absolute(_negative(_s181, _r101), _r101), _s184, _r101), _r101), _multiply(_absolute(_negative(_s187, _r102), _r102), _s129, _r102), _r102)
     _s189 = -p_ball_radius
     _s190 = _negative(_multiply(_multiply(_s189, _s163, _r101), _s164, _r101), _r101)
     _s191 = _add(_multiply(_s190, _s163, _r103), _multiply(slip_share, _s189, _r104), _r104)
@@ -3490,7 +3545,7 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s219 = _negative(_add(_multiply(_add(_multiply(_s111, _s171, _r27), _multiply(_s89, _s163, _r114), _r114), _s164, _r114), _multiply(_s10, _s185, _r27), _r27), _r27)
     _s220 = _add(_multiply(_s219, _s163, _r114), _multiply(slip_share, _s89, _r115), _r115)
     _s221 = _multiply(pace_n, _absolute(_subtract(_subtract(_add(_multiply(_s101, _s198, _r114), _subtract(_s89, _s220, _r116), _r116), _multiply(_s118, _s203, _r114), _r114), _multiply(_s102, _s207, _r116), _r116), _r116), _r116)
-    _s222 = _k142 / p_ball_radius
+    _s222 = _k145 / p_ball_radius
     _s223 = _subtract(_s95, _multiply(p_ball_radius, _multiply(_s222, _s17, _r114), _r114), _r114)
     _s224 = _add(_multiply(p_ball_radius, _multiply(_s222, _s14, _r117), _r117), _s114, _r117)
     _s225 = _negative(_add(_multiply(_add(_multiply(_s223, _s163, _r118), _multiply(_s224, _s171, _r119), _r119), _s164, _r119), _multiply(_s27, _s185, _r118), _r118), _r118)
@@ -3520,7 +3575,7 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s249 = _multiply(_s190, _s171, _r101)
     _s250 = _multiply(_s165, _s171, _r54)
     _s251 = _multiply(_s171, _s186, _r99)
-    _s252 = _add(_add(_add(_multiply(_absolute(_subtract(_k140, _s248, _r3), _r3), _s184, _r3), _multiply(_absolute(_negative(_s249, _r34), _r34), _s195, _r34), _r34), _multiply(_absolute(_negative(_s250, _r3), _r3), _s170, _r3), _r3), _multiply(_absolute(_negative(_s251, _r34), _r34), _s129, _r34), _r34)
+    _s252 = _add(_add(_add(_multiply(_absolute(_subtract(_k143, _s248, _r3), _r3), _s184, _r3), _multiply(_absolute(_negative(_s249, _r34), _r34), _s195, _r34), _r34), _multiply(_absolute(_negative(_s250, _r3), _r3), _s170, _r3), _r3), _multiply(_absolute(_negative(_s251, _r34), _r34), _s129, _r34), _r34)
     _s253 = _add(_multiply(_s172, _s171, _r82), _multiply(p_ball_radius, slip_share, _r3), _r3)
     _s254 = _multiply(_s171, _s196, _r96)
     _s255 = _negative(_s254, _r82)
@@ -3547,10 +3602,10 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s276 = _multiply(_k24, _s275, _r34)
     _s277 = _negative(_multiply(bend_s, _s192, _r44), _r44)
     _s278 = _multiply(_s127, _s177, _r109)
-    _s279 = _k142 / (p_ball_radius * p_inertia)
+    _s279 = _k145 / (p_ball_radius * p_inertia)
     _s280 = _add(_multiply(_s77, _s279, _r60), _s64, _r60)
     _s281 = _add(_add(_add(_multiply(_s65, _add(_multiply(_s135, _s279, _r84), _s66, _r84), _r84), _multiply(_s136, _s280, _r83), _r83), _multiply(_s139, _s280, _r47), _r47), _multiply(_s148, _s279, _r46), _r46)
-    _s282 = _add(_add(_multiply(_add(_multiply(_multiply(_s63, _s69, _r55), _s76, _r55), _s150, _r55), _s279, _r55), _add(_k21, _multiply(_k22, _add(_multiply(_s131, _s279, _r81), _multiply(_k149, _s64, _r51), _r51), _r51), _r51), _r51), _add(_add(_s281, _multiply(_k137, _add(_multiply(_s279, _s145, _r36), _s144, _r36), _r36), _r36), _s146, _r36), _r36)
+    _s282 = _add(_add(_multiply(_add(_multiply(_multiply(_s63, _s69, _r55), _s76, _r55), _s150, _r55), _s279, _r55), _add(_k21, _multiply(_k22, _add(_multiply(_s131, _s279, _r81), _multiply(_k152, _s64, _r51), _r51), _r51), _r51), _r51), _add(_add(_s281, _multiply(_k140, _add(_multiply(_s279, _s145, _r36), _s144, _r36), _r36), _r36), _s146, _r36), _r36)
     _s283 = _multiply(place_s, _absolute(_subtract(_subtract(_subtract(_multiply(_s15, _s177, _r11), _multiply(_s18, _s192, _r13), _r13), _multiply(_s277, _s96, _r11), _r11), _multiply(_s278, _s115, _r13), _r13), _r13), _r13)
     _s284 = _add(_multiply(place_n, _absolute(_negative(_add(_multiply(_s277, _s90, _r11), _multiply(_s278, _s112, _r51), _r51), _r51), _r51), _r51), _s283, _r13)
     _s285 = _add(_s284, _multiply(place_e, _absolute(_subtract(_subtract(_multiply(_s29, _s177, _r26), _multiply(_s277, _s100, _r51), _r51), _multiply(_s278, _s117, _r26), _r26), _r26), _r26), _r26)
@@ -3559,15 +3614,15 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s288 = _multiply(pace_e, _absolute(_subtract(_subtract(_negative(_multiply(_s222, _s27, _r51), _r51), _multiply(_s277, _s107, _r13), _r13), _multiply(_s278, _s121, _r51), _r51), _r51), _r51)
     _s289 = _add(_add(_add(_multiply(_absolute(_s277, _r44), _s85, _r44), _multiply(_absolute(_s278, _r109), _s110, _r109), _r109), _s282, _r109), _add(_add(_add(_add(_s287, _s288, _r51), _multiply(turn_n, _absolute(_s10, _r2), _r2), _r2), _multiply(turn_z, _absolute(_s31, _r29), _r29), _r29), _multiply(turn_z, _absolute(_s27, _r23), _r23), _r23), _r23)
     _s290 = _multiply(_k24, _s289, _r23)
-    _s291 = _k142 + (_k142 / p_inertia)
+    _s291 = _k145 + (_k145 / p_inertia)
     _s292 = _add(_multiply(_absolute(_multiply(_s222, _negative(_multiply(_s249, _s291, _r101), _r101), _r101), _r101), _s195, _r101), _multiply(_absolute(_multiply(_s222, _negative(_multiply(_s250, _s291, _r54), _r54), _r54), _r54), _s170, _r54), _r54)
     _s293 = _add(_s292, _multiply(_absolute(_multiply(_s222, _negative(_multiply(_s251, _s291, _r99), _r99), _r99), _r99), _s129, _r99), _r99)
-    _s294 = _add(_s293, _multiply(_absolute(_multiply(_s222, _subtract(_k140, _multiply(_s291, _s248, _r93), _r93), _r93), _r93), _s184, _r93), _r93)
+    _s294 = _add(_s293, _multiply(_absolute(_multiply(_s222, _subtract(_k143, _multiply(_s291, _s248, _r93), _r93), _r93), _r93), _s184, _r93), _r93)
     _s295 = _add(_s294, _multiply(_absolute(_multiply(_s222, _subtract(p_ball_radius, _multiply(_s291, _s253, _r3), _r3), _r3), _r3), _s179, _r3), _r3)
     _s296 = _multiply(_absolute(_negative(_multiply(_s222, _negative(_multiply(_s173, _s291, _r87), _r87), _r87), _r87), _r87), _s179, _r87)
     _s297 = _multiply(_absolute(_negative(_multiply(_s222, _negative(_multiply(_s181, _s291, _r95), _r95), _r95), _r95), _r95), _s184, _r95)
     _s298 = _multiply(_absolute(_negative(_multiply(_s222, _negative(_multiply(_s187, _s291, _r100), _r100), _r100), _r100), _r100), _s129, _r100)
-    _s299 = _multiply(_absolute(_negative(_multiply(_s222, _subtract(_k140, _multiply(_s291, _s166, _r1), _r1), _r1), _r1), _r1), _s170, _r1)
+    _s299 = _multiply(_absolute(_negative(_multiply(_s222, _subtract(_k143, _multiply(_s291, _s166, _r1), _r1), _r1), _r1), _r1), _s170, _r1)
     _s300 = _multiply(_absolute(_negative(_multiply(_s222, _subtract(_s189, _multiply(_s291, _s191, _r104), _r104), _r104), _r104), _r104), _s195, _r104)
     _s301 = _add(_add(_add(_add(_s296, _s297, _r95), _s298, _r100), _s299, _r1), _s300, _r104)
     _s302 = _multiply(_s222, _negative(_multiply(_s254, _s291, _r96), _r96), _r96)
@@ -3600,13 +3655,13 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s329 = _add(_add(_add(_s325, _s326, _r125), _s327, _r128), _s328, _r80)
     _s330 = _multiply(_k24, _add(_add(_add(_multiply(_s222, _s162, _r35), _s282, _r35), _select(_s295 < _s301, _s301, _s295, _r36), _r36), _select(_s314 < _s329, _s329, _s314, _r104), _r104), _r104)
     _s331 = _select(_s82 < _s108, _s108, _s82, _r80)
-    _s332 = _result(_s83, _multiply(_k24, _add(_multiply(_k152, _add(_add(_s82, _s122, _r37), _s108, _r37), _r37), _multiply(_k153, _select(_s331 < _s122, _s122, _s331, _r36), _r36), _r36), _r36), _k27, _r0)
+    _s332 = _result(_s83, _multiply(_k24, _add(_multiply(_k155, _add(_add(_s82, _s122, _r37), _s108, _r37), _r37), _multiply(_k156, _select(_s331 < _s122, _s122, _s331, _r36), _r36), _r36), _r36), _k27, _r0)
     _s333 = _multiply(_s109, _s108, _r36)
     _s334 = _multiply(slip_share, _subtract(_s20, _multiply(p_ball_radius, _s177, _r37), _r37), _r37)
     _s335 = _subtract(_s20, _s334, _r16)
     _s336 = _multiply(_s44, _divide(p_ring_restitution, _s123, _r73), _r73)
     _s337 = _add(_s333, _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s335, _r40), _multiply(_s336, _s19, _r17), _r17), _r17), _r17), _s122, _r17), _r17)
-    _s338 = _multiply(_k137, _add(_multiply(bend_s, _s108, _r40), _multiply(bend_e, _s122, _r80), _r80), _r80)
+    _s338 = _multiply(_k140, _add(_multiply(bend_s, _s108, _r40), _multiply(bend_e, _s122, _r80), _r80), _r80)
     _s339 = _multiply(_s137, _s338, _r32)
     _s340 = _add(_add(_s337, _s339, _r17), _s276, _r17)
     _s341 = _multiply(slip_share, _add(_multiply(p_ball_radius, _s192, _r40), _s16, _r40), _r40)
@@ -3616,7 +3671,7 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s345 = _add(_add(_multiply(_absolute(_negative(_multiply(bend_s, _s335, _r16), _r16), _r16), _s108, _r16), _multiply(_absolute(_multiply(_s127, _s342, _r14), _r14), _s122, _r14), _r14), _s339, _r14)
     _s346 = _add(_s345, _s161, _r14)
     _s347 = _select(_s346 < _s344, _s344, _s346, _r32)
-    _s348 = _result(_s83, _multiply(_k24, _add(_multiply(_k152, _add(_add(_s340, _s344, _r16), _s346, _r16), _r16), _multiply(_k153, _select(_s347 < _s340, _s340, _s347, _r73), _r73), _r73), _r73), _k27, _r0)
+    _s348 = _result(_s83, _multiply(_k24, _add(_multiply(_k155, _add(_add(_s340, _s344, _r16), _s346, _r16), _r16), _multiply(_k156, _select(_s347 < _s340, _s340, _s347, _r73), _r73), _r73), _r73), _k27, _r0)
     _s349 = _subtract(_s192, _multiply(_s341, _s279, _r40), _r40)
     _s350 = _add(_multiply(_s334, _s279, _r37), _s177, _r37)
     _s351 = _multiply(_s280, _s338, _r80)
@@ -3627,7 +3682,7 @@ def bound_ring_impact(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s356 = _add(_add(_divide(_s247, p_ball_radius, _r90), _s333, _r90), _multiply(_absolute(_multiply(bend_e, _subtract(_multiply(nz, _s349, _r40), _s193, _r40), _r40), _r40), _s122, _r40), _r40)
     _s357 = _add(_add(_s356, _s351, _r40), _s330, _r40)
     _s358 = _select(_s353 < _s355, _s355, _s353, _r80)
-    _s359 = _result(_s83, _multiply(_k24, _add(_multiply(_k152, _add(_add(_s353, _s355, _r90), _s357, _r90), _r90), _multiply(_k153, _select(_s358 < _s357, _s357, _s358, _r10), _r10), _r10), _r10), _k27, _r0)
+    _s359 = _result(_s83, _multiply(_k24, _add(_multiply(_k155, _add(_add(_s353, _s355, _r90), _s357, _r90), _r90), _multiply(_k156, _select(_s358 < _s357, _s357, _s358, _r10), _r10), _r10), _r10), _k27, _r0)
     return _result(_s83, _s82, _k27, _r0), _result(_s83, _s108, _k27, _r0), _result(_s83, _s122, _k27, _r0), _result(_s83, _s161, _k27, _r0), _result(_s83, _s247, _k27, _r0), _result(_s83, _s276, _k27, _r0), _result(_s83, _s290, _k27, _r0), _result(_s83, _s330, _k27, _r0), _s332, _s348, _s359, nx, ny, nz, tangent_x, tangent_y, bend_s, bend_e, _multiply(_k28, _add(t, clock, _r104), _r104) + _select(_s83, _multiply(_k24, _s45, _r41), _k27, _r23)
 
 
@@ -3855,9 +3910,9 @@ def ring_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx:
     t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (t, x, y, z, vx, vy, vz, nx, ny, nz, place_n, normal_velocity, back, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10 = _halves(_room[:11])
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
-    _s1 = _k140 / _s0
+    _s1 = _k143 / _s0
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k142 / _s2
+    _s3 = _k145 / _s2
     _s4 = (p_ring_radius - p_ball_radius) - p_wire_radius
     _s5 = _where(_s4 < _s2, _s4, _s2)
     _s6 = _multiply(p_gravity, t, _r0)
@@ -3876,18 +3931,18 @@ def ring_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx:
     _s19 = _add(_add(_multiply(_s18, _s13, _r2), _multiply(_s15, _absolute(_add(vz, _multiply(_s18, t, _r4), _r4), _r4), _r4), _r4), _absolute(z, _r2), _r2)
     _s20 = _add(_k21, _multiply(_k22, _s19, _r2), _r2)
     _s21 = _k33 * (p_ring_radius * _s3)
-    _s22 = _add(_divide(_multiply(_multiply(_k168, _s14, _r4), _add(_add(_s16, _s17, _r7), _s20, _r7), _r4), _s5, _r4), _multiply(_k32 * (_k169 + _s21), _s14, _r8), _r8)
-    _s23 = _multiply(_k143, _s22, _r4)
-    _s24 = _multiply(_k170, _multiply(_divide(_multiply(normal_velocity, normal_velocity, _r7), _add(_add(_multiply(vx, vx, _r9), _multiply(vy, vy, _r10), _r10), _multiply(vz, vz, _r9), _r9), _r9), _s2, _r9), _r9)
+    _s22 = _add(_divide(_multiply(_multiply(_k171, _s14, _r4), _add(_add(_s16, _s17, _r7), _s20, _r7), _r4), _s5, _r4), _multiply(_k32 * (_k172 + _s21), _s14, _r8), _r8)
+    _s23 = _multiply(_k146, _s22, _r4)
+    _s24 = _multiply(_k173, _multiply(_divide(_multiply(normal_velocity, normal_velocity, _r7), _add(_add(_multiply(vx, vx, _r9), _multiply(vy, vy, _r10), _r10), _multiply(vz, vz, _r9), _r9), _r9), _s2, _r9), _r9)
     _s25 = _add(_add(_s12, _s22, _r8), _select(_s23 < _s24, _s24, _s23, _r7), _r7)
-    _s26 = _add(_multiply(_k22, _add(_k171 * _s2, _multiply(_k19, _s0, _r1), _r1), _r1), _add(_add(_multiply(_absolute(nx, _r4), _s16, _r4), _multiply(_absolute(ny, _r5), _s17, _r5), _r5), _multiply(_absolute(nz, _r4), _s20, _r4), _r4), _r4)
-    _s27 = _multiply(_k143, _s26, _r1)
+    _s26 = _add(_multiply(_k22, _add(_k174 * _s2, _multiply(_k19, _s0, _r1), _r1), _r1), _add(_add(_multiply(_absolute(nx, _r4), _s16, _r4), _multiply(_absolute(ny, _r5), _s17, _r5), _r5), _multiply(_absolute(nz, _r4), _s20, _r4), _r4), _r4)
+    _s27 = _multiply(_k146, _s26, _r1)
     _s28 = _add(_add(_s12, _s26, _r4), _select(_s27 < _s24, _s24, _s27, _r6), _r6)
     _s29 = _add(place_n, _s28, _r1)
-    _s30 = _multiply(_k149, _divide(_s11, _s5, _r0), _r0) <= _k140
+    _s30 = _multiply(_k152, _divide(_s11, _s5, _r0), _r0) <= _k143
     _s31 = _k26 < back
     _s32 = _add(place_n, _s25, _r0)
-    return -_multiply(y, _s1, _r4), x * _s1, _s3, _s1, _k142 / _s5, _result(_s31, _select(_s30, _s25, _select(_s25 < _s29, _s29, _s25, _r4), _r9), _s28, _r0), _result(_s31, _select(_s30, _s32, _select(_s32 < _s28, _s28, _s32, _r9), _r4), _s28, _r0), _k32 * (_k172 + _s21)
+    return -_multiply(y, _s1, _r4), x * _s1, _s3, _s1, _k145 / _s5, _result(_s31, _select(_s30, _s25, _select(_s25 < _s29, _s29, _s25, _r4), _r9), _s28, _r0), _result(_s31, _select(_s30, _s32, _select(_s32 < _s28, _s28, _s32, _r9), _r4), _s28, _r0), _k32 * (_k175 + _s21)
 
 
 def ring_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any) -> tuple[Any, ...]:
@@ -4030,20 +4085,20 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s23 = _multiply(_k73, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
     _s24 = _divide(_k39, _s1, _r14)
     _s25 = _k4 <= _s20
-    _s26 = _k180 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k5, _r15), _k181, _r16)
+    _s26 = _k183 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _k5, _r15), _k184, _r16)
     _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
     _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
     _s33 = _sqrt(_select(_s32 < _k4, _k4, _s32, _r1), _r1)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k181, _r10), _k5, _r18)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), _k184, _r10), _k5, _r18)
     _s35 = _k4 < _select(_s26, _s32, _k4, _r19)
     _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
     _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
     _s38 = _sqrt(_select(_s37 < _k4, _k4, _s37, _r4), _r4)
-    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k181, _r0)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), _k184, _r0)
     _s40 = _k4 < _s37
     _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
     _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
@@ -4087,8 +4142,8 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
     _s11 = _multiply(_k94, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(_k62, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = _k12 * _add(_add(_multiply(_multiply(_k183, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k14, _s3, _r2), _r2), _s11, _r2)
-    return _k12 * _add(_add(_multiply(_multiply(_k14, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k12 * _add(_multiply(_k183, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+    _s12 = _k12 * _add(_add(_multiply(_multiply(_k131, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(_k14, _s3, _r2), _r2), _s11, _r2)
+    return _k12 * _add(_add(_multiply(_multiply(_k14, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, _k12 * _add(_multiply(_k131, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4172,47 +4227,47 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, = [_single(value) for value in (horizon, x, y, z, vx, vy, vz, extent, speed, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity,)]
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, _r36, _r37, _r38, _r39, _r40 = _halves(_room[:41])
     _s0 = _multiply(vz, vz, _r0)
-    _s1 = _k187 * (p_ball_radius + p_wire_radius)
+    _s1 = _k188 * (p_ball_radius + p_wire_radius)
     _s2 = _k33 * p_gravity
-    _s3 = _multiply(_k188, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
+    _s3 = _multiply(_k189, _add(_s0, _multiply(_s2, _add(_absolute(z, _r1), _s1, _r1), _r1), _r1), _r1)
     _s4 = _add(_add(_s0, _multiply(_s2, _add(z, _s1, _r2), _r2), _r2), _s3, _r2)
-    _s5 = _k142 / p_gravity
+    _s5 = _k145 / p_gravity
     _s6 = _sqrt(_s4, _r3)
-    _s7 = _multiply(_k146, _add(_absolute(vz, _r4), _s6, _r4), _r4)
+    _s7 = _multiply(_k149, _add(_absolute(vz, _r4), _s6, _r4), _r4)
     _s8 = _k26 <= _s4
     _s9 = _select(_s8, _multiply(_s5, _subtract(_subtract(vz, _s6, _r2), _s7, _r2), _r2), _k27, _r5)
     _s10 = _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = _multiply(_multiply(_k146, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
+    _s13 = _multiply(_multiply(_k149, _s10, _r6), _add(_s12, _add(_multiply(x, x, _r8), _multiply(y, y, _r9), _r9), _r9), _r6)
     _s14 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s15 = _multiply(_s14, _s14, _r9)
     _s16 = _subtract(_add(_multiply(_s12, _s10, _r10), _s13, _r10), _s15, _r10)
     _s17 = _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12)
     _s18 = _sqrt(_s16, _r11)
-    _s19 = _multiply(_k146, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
-    _s20 = _divide(_k140, _s10, _r13)
+    _s19 = _multiply(_k149, _add(_add(_absolute(_s17, _r13), _absolute(_s14, _r8), _r8), _s18, _r8), _r8)
+    _s20 = _divide(_k143, _s10, _r13)
     _s21 = _k26 <= _s16
-    _s22 = _k189 < _s10
-    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k27, _r14), _k190, _r15)
+    _s22 = _k190 < _s10
+    _s23 = _select(_s22, _select(_s21, _multiply(_negative(_add(_add(_s17, _s18, _r10), _s19, _r10), _r10), _s20, _r10), _k27, _r14), _k191, _r15)
     _s24 = _select(_s9 < _s23, _s23, _s9, _r16)
     _s25 = _select(_k26 < _s24, _s24, _k26, _r17)
     _s26 = _select(_k26 < _s25, _s25, _k26, _r18)
     _s27 = p_ring_radius - _s1
-    _s28 = _k191 * p_ring_radius
+    _s28 = _k192 * p_ring_radius
     _s29 = _where(_s27 < _s28, _s28, _s27)
     _s30 = _subtract(_subtract(_multiply(_s10, _s29 * _s29, _r7), _s13, _r7), _s15, _r7)
     _s31 = _sqrt(_select(_s30 < _k26, _k26, _s30, _r9), _r9)
-    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k190, _r6), _k27, _r19)
+    _s32 = _select(_s22, _select(_s21, _multiply(_subtract(_add(_s18, _s19, _r11), _s17, _r11), _s20, _r11), _k191, _r6), _k27, _r19)
     _s33 = _k26 < _select(_s22, _s30, _k26, _r20)
     _s34 = _select(_s33, _multiply(_subtract(_subtract(_s19, _s17, _r20), _s31, _r20), _s20, _r20), _s32, _r7)
     _s35 = _subtract(_add(_s0, _multiply(_s2, _subtract(z, _s1, _r21), _r21), _r21), _s3, _r21)
     _s36 = _sqrt(_select(_s35 < _k26, _k26, _s35, _r1), _r1)
-    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k190, _r0)
+    _s37 = _select(_s8, _multiply(_s5, _add(_add(vz, _s6, _r3), _s7, _r3), _r3), _k191, _r0)
     _s38 = _k26 < _s35
     _s39 = _select(_s38, _multiply(_s5, _subtract(_add(vz, _s7, _r21), _s36, _r21), _r21), _s37, _r22)
     _s40 = _select(_s34 < _s39, _s34, _s39, _r23)
-    _s41 = _multiply(_k192, horizon, _r24)
+    _s41 = _multiply(_k193, horizon, _r24)
     _s42 = _select(_s40 < _s41, _s40, _s41, _r25)
     _s43 = _s26 < _s42
     _s44 = _select(_s33, _multiply(_subtract(_subtract(_s31, _s17, _r9), _s19, _r9), _s20, _r9), _k27, _r13)
@@ -4237,8 +4292,8 @@ def ring_opened(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any,
     _s63 = _select(_k26 < _s40, _s40, _k26, _r36)
     _s64 = _select(_s63 < _s54, _s54, _s63, _r37)
     _s65 = _select(_s64 < _s60, _s60, _s64, _r38)
-    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k148 * _s29)), (_s11 <= ((_k148 * p_ball_radius) + (_k148 * p_wire_radius)))), (_s11 <= _k193)), (_k194 <= _s29))
-    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k26, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k26, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k193)), (_k194 <= p_gravity)), (extent <= _k195)), (speed <= _k195))
+    _s66 = _logical_and(_logical_and(_logical_and((_s11 <= (_k151 * _s29)), (_s11 <= ((_k151 * p_ball_radius) + (_k151 * p_wire_radius)))), (_s11 <= _k194)), (_k195 <= _s29))
+    return _result(_s43, _s26, _select(_s56, _s53, _select(_s62, _s59, _k26, _r39), _r40), _r0), _result(_s43, _s42, _select(_s56, _s55, _select(_s62, _s61, _k26, _r40), _r39), _r0), _logical_or(_logical_or(_logical_or(False, _s62), _s56), _s43), _s52, _s55, _s58, _s61, _result(_s65 < _s41, _s65, _s41, _r0), _logical_and(_logical_and(_logical_and(_logical_and(_s66, (p_gravity <= _k194)), (_k195 <= p_gravity)), (extent <= _k196)), (speed <= _k196))
 
 
 def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4251,30 +4306,30 @@ def ring_resolution(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any
     _s0 = _k26 < leaving
     _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k187 * _s2
+    _s3 = _k188 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k191 * p_ring_radius
+    _s5 = _k192 * p_ring_radius
     _s6 = _where(_s4 < _s5, _s5, _s4)
     _s7 = _s2 / _s6
-    _s8 = _where(_k142 < _s7, _s7, _k142)
+    _s8 = _where(_k145 < _s7, _s7, _k145)
     _s9 = _multiply(_s1, _s8, _r1)
     _s10 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
-    _s11 = _multiply(_k145, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
-    _s12 = _divide(_multiply(_k200, start_rate, _r3), _s11, _r3)
-    _s13 = _select(_s12 < _k201, _s12, _k201, _r5)
-    _s14 = _result(_s0, _select(_k202 < _s13, _s13, _k202, _r6), _k201, _r0)
-    _s15 = _add(_multiply(_k19, _multiply(vz, vz, _r7), _r7), _multiply(_k164 * p_gravity, z, _r8), _r8) + _multiply(_k19, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
+    _s11 = _multiply(_k148, _add(_multiply(_s9, _s10, _r3), _multiply(_s2, _s1, _r4), _r4), _r4)
+    _s12 = _divide(_multiply(_k201, start_rate, _r3), _s11, _r3)
+    _s13 = _select(_s12 < _k202, _s12, _k202, _r5)
+    _s14 = _result(_s0, _select(_k203 < _s13, _s13, _k203, _r6), _k202, _r0)
+    _s15 = _add(_multiply(_k19, _multiply(vz, vz, _r7), _r7), _multiply(_k167 * p_gravity, z, _r8), _r8) + _multiply(_k19, _add(_multiply(vx, vx, _r7), _multiply(vy, vy, _r9), _r9), _r9)
     _s16 = _subtract(_multiply(x, vy, _r9), _multiply(y, vx, _r8), _r8)
     _s17 = (_k33 * p_ring_radius) * _multiply(_s16, _s16, _r8)
-    _s18 = _k142 / _s6
+    _s18 = _k145 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = _add(_add((_k203 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
+    _s20 = _add(_add((_k204 * p_gravity) * _s2, _multiply(_s17, _s19, _r8), _r8), _absolute(_s15, _r9), _r9)
     _s21 = _subtract(horizon, t, _r8)
     _s22 = _multiply(p_gravity, _multiply(_s21, _s21, _r7), _r7)
     _s23 = p_ring_radius + _s3
-    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k146, _add(_s22, _s23, _r10), _r10), _r10)
-    _s25 = _divide(_multiply(_k204, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
-    return _s14, _k34, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k24 * _s20, (_k205 * _s2) * _s24, _result(_s0, _multiply(_k24, _add(_multiply(_k188, _absolute(start_rate, _r12), _r12), _multiply(_add(_k206, _s14, _r2), _s11, _r2), _r2), _r2), _k27, _r0), _k24 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k155 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k145 * _add(_multiply(_multiply(_k24, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k207, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k208 * p_ball_radius) + (_k208 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k26))
+    _s24 = _add(_multiply(_s10, _s14, _r2), _multiply(_k149, _add(_s22, _s23, _r10), _r10), _r10)
+    _s25 = _divide(_multiply(_k205, _multiply(_multiply(_s17, _add(_absolute(vx, _r2), _absolute(vy, _r11), _r11), _r11), _s19, _r11), _r11), _s6, _r11)
+    return _s14, _k34, end - t, x, y, z, vx, vy, vz, _s15, _s17, _sqrt(_add(_multiply(x, x, _r2), _multiply(y, y, _r12), _r12)), _k24 * _s20, (_k206 * _s2) * _s24, _result(_s0, _multiply(_k24, _add(_multiply(_k189, _absolute(start_rate, _r12), _r12), _multiply(_add(_k207, _s14, _r2), _s11, _r2), _r2), _r2), _k27, _r0), _k24 * _add(_multiply(p_gravity, _add(_multiply(p_gravity, _s21, _r8), _absolute(vz, _r2), _r2), _r2), _s25, _r11), (_k158 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k148 * _add(_multiply(_multiply(_k24, _s9, _r1), _s24, _r1), _multiply(_multiply(_add(_k208, _s14, _r6), _s2, _r6), _s1, _r6), _r6), low1 - t, high1 - t, low2 - t, high2 - t, _logical_and((_s22 <= ((_k209 * p_ball_radius) + (_k209 * p_wire_radius))), (_multiply(t, leaving, _r7) <= _k26))
 
 
 def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4295,7 +4350,7 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s8 = _add(y, _multiply(vy, t, _r5), _r5)
     _s9 = _sqrt(_add(_multiply(_s7, _s7, _r6), _multiply(_s8, _s8, _r7), _r7), _r7)
     _s10 = _add(rho_start, _s9, _r6)
-    _s11 = _divide(_k140, _multiply(_s10, _s9, _r8), _r8)
+    _s11 = _divide(_k143, _multiply(_s10, _s9, _r8), _r8)
     _s12 = _multiply(_s9, _s11, _r9)
     _s13 = _multiply(_s12, _add(_multiply(t, _s6, _r10), _multiply(_k19, _add(_multiply(x, vx, _r11), _multiply(y, vy, _r12), _r12), _r12), _r12), _r12)
     _s14 = _subtract(vz, _multiply(_k20 * p_gravity, t, _r10), _r10)
@@ -4314,32 +4369,32 @@ def ring_step(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, 
     _s27 = _select(_s26 < _k26, _k26, _s26, _r15)
     _s28 = _multiply(_k19, _add(_s27, _multiply(_k19, _s25, _r12), _r12), _r12)
     _s29 = _subtract(_s22, _s5, _r2)
-    _s30 = _k214 * p_gravity
+    _s30 = _k215 * p_gravity
     _s31 = _multiply(_s30, _s20, _r0)
     _s32 = _multiply(moment2, _multiply(_s17, _multiply(_s17, _s17, _r16), _r16), _r16)
     _s33 = _subtract(_add(_s31, _s32, _r17), energy2, _r17)
     _s34 = _s29 < _k26
     _s35 = _multiply(_k19, _s27, _r18)
-    _s36 = _select(_k26 < _select(_k26 <= _s29, _s27, _k26, _r19), _k27, _divide(_select(_s34, _add(_s35, _multiply(_k215, _s25, _r19), _r19), _multiply(_k149, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k26 < _s33, _s33, _k26, _r23), _r24), _r21), _r20)
+    _s36 = _select(_k26 < _select(_k26 <= _s29, _s27, _k26, _r19), _k27, _divide(_select(_s34, _add(_s35, _multiply(_k216, _s25, _r19), _r19), _multiply(_k152, _s29, _r20), _r21), _select(_s34, _negative(_s29, _r22), _select(_k26 < _s33, _s33, _k26, _r23), _r24), _r21), _r20)
     _s37 = _subtract(end, t, _r19)
     _s38 = _select(_s36 < _s37, _s36, _s37, _r24)
-    _s39 = _k187 * _s24
-    _s40 = _add((_k191 * p_ball_radius) + (_k191 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k26, _k26, _s21, _r23), _r23), _s20, _r23), _r23)
+    _s39 = _k188 * _s24
+    _s40 = _add((_k192 * p_ball_radius) + (_k192 * p_wire_radius), _add(_multiply(_s38, _select(_s21 < _k26, _k26, _s21, _r23), _r23), _s20, _r23), _r23)
     _s41 = _multiply(_s30, _select(_s39 < _s40, _s39, _s40, _r10), _r10)
     _s42 = _multiply(_add(_absolute(vx, _r23), _absolute(vy, _r17), _r17), _s38, _r17)
-    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k26 < _s18, _k26, _s18, _r23), _r23), _s9, _r23), _multiply(_k216, _s42, _r7), _r7), _k161 * (p_ring_radius + _s39), _r7)
+    _s43 = _subtract(_subtract(_add(_multiply(_s38, _select(_k26 < _s18, _k26, _s18, _r23), _r23), _s9, _r23), _multiply(_k217, _s42, _r7), _r7), _k164 * (p_ring_radius + _s39), _r7)
     _s44 = p_ring_radius - _s39
-    _s45 = _k191 * p_ring_radius
+    _s45 = _k192 * p_ring_radius
     _s46 = _where(_s44 < _s45, _s45, _s44)
-    _s47 = _divide(_k140, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
+    _s47 = _divide(_k143, _select(_s43 < _s46, _s46, _s43, _r23), _r23)
     _s48 = _multiply(moment2, _multiply(_s47, _multiply(_s47, _s47, _r7), _r7), _r7)
     _s49 = _absolute(energy2, _r23)
-    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k217, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
+    _s50 = _subtract(_add(_add(_s41, _s48, _r5), _multiply(_k218, _add(_add(_s48, _s49, _r7), _absolute(_s41, _r10), _r10), _r10), _r10), energy2, _r10)
     _s51 = _negative(_s21, _r6)
-    _s52 = _add(_multiply(_s30, _add((_k194 * p_ball_radius) + (_k194 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k26, _k26, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k218, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
-    _s53 = _add(energy2, _add(_s52, _multiply(_k219, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
+    _s52 = _add(_multiply(_s30, _add((_k195 * p_ball_radius) + (_k195 * p_wire_radius), _multiply(_add(_multiply(p_gravity, _s38, _r5), _select(_s51 < _k26, _k26, _s51, _r7), _r7), _s38, _r7), _r7), _r7), _multiply(_multiply(_k219, _multiply(_s32, _s17, _r8), _r8), _s42, _r8), _r8)
+    _s53 = _add(energy2, _add(_s52, _multiply(_k220, _add(_add(_s49, _absolute(_s31, _r7), _r7), _s32, _r7), _r7), _r7), _r7)
     _s54 = _subtract(_subtract(_s53, _s31, _r7), _s32, _r7)
-    _s55 = _select(_k26 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k215, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
+    _s55 = _select(_k26 < _s23, _subtract(_multiply(_s23, _s23, _r16), _multiply(_multiply(_k216, _s28, _r0), _select(_s28 <= _multiply(_s23, _s38, _r8), _select(_s50 < _s54, _s54, _s50, _r8), ceiling, _r12), _r0), _r0), _s23, _r16)
     _s56 = _k26 < _s55
     _s57 = _add(_multiply(_multiply(_k19, _s50, _r16), _s27, _r16), _multiply(_s29, _s29, _r15), _r15)
     _s58 = _sqrt(_s57, _r16)
@@ -4556,15 +4611,15 @@ def ring_round_moved(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any,
     _s9 = _multiply(_s3, _s8, _r0)
     _s10 = p_ball_radius + p_wire_radius
     _s11 = _add(p_ring_radius, _multiply(_s9, _s10, _r2), _r2)
-    _s12 = _multiply(t, _add(_multiply(_k224, omega_9, _r4), _multiply(t, _add(_multiply(_k225, omega_10, _r5), _multiply(_multiply(_k226, t, _r6), omega_11, _r6), _r6), _r6), _r6), _r6)
+    _s12 = _multiply(t, _add(_multiply(_k225, omega_9, _r4), _multiply(t, _add(_multiply(_k226, omega_10, _r5), _multiply(_multiply(_k227, t, _r6), omega_11, _r6), _r6), _r6), _r6), _r6)
     _s13 = _add(_multiply(_k98, omega_6, _r4), _multiply(t, _add(_multiply(_k55, omega_7, _r5), _multiply(t, _add(_multiply(_k102, omega_8, _r7), _s12, _r6), _r6), _r6), _r6), _r6)
     _s14 = _add(_multiply(_k53, omega_3, _r4), _multiply(t, _add(_multiply(_k92, omega_4, _r5), _multiply(t, _add(_multiply(_k95, omega_5, _r7), _multiply(t, _s13, _r6), _r6), _r6), _r6), _r6), _r6)
     _s15 = _add(omega_0, _multiply(t, _add(_multiply(_k72, omega_1, _r4), _multiply(t, _add(_multiply(_k88, omega_2, _r5), _multiply(t, _s14, _r6), _r6), _r6), _r6), _r6), _r6)
     _s16 = _multiply(t, _s15, _r6)
     _s17 = _multiply(_s16, _s16, _r4)
-    _s18 = _subtract(_multiply(_add(_k227, _multiply(_subtract(_multiply(_k228, _s17, _r5), _k229, _r5), _s17, _r5), _r5), _s17, _r5), _k230, _r5)
-    _s19 = _add(_k39, _multiply(_subtract(_multiply(_add(_k231, _multiply(_s18, _s17, _r5), _r5), _s17, _r5), _k72, _r5), _s17, _r5), _r5)
-    _s20 = _add(_k232, _multiply(_subtract(_multiply(_subtract(_k233, _multiply(_k234, _s17, _r7), _r7), _s17, _r7), _k235, _r7), _s17, _r7), _r7)
+    _s18 = _subtract(_multiply(_add(_k228, _multiply(_subtract(_multiply(_k229, _s17, _r5), _k230, _r5), _s17, _r5), _r5), _s17, _r5), _k231, _r5)
+    _s19 = _add(_k39, _multiply(_subtract(_multiply(_add(_k232, _multiply(_s18, _s17, _r5), _r5), _s17, _r5), _k72, _r5), _s17, _r5), _r5)
+    _s20 = _add(_k233, _multiply(_subtract(_multiply(_subtract(_k234, _multiply(_k235, _s17, _r7), _r7), _s17, _r7), _k236, _r7), _s17, _r7), _r7)
     _s21 = _multiply(_s16, _add(_k39, _multiply(_subtract(_multiply(_s20, _s17, _r7), _k95, _r7), _s17, _r7), _r7), _r7)
     _s22 = _subtract(_multiply(cos_0, _s19, _r6), _multiply(sin_0, _s21, _r4), _r4)
     _s23 = _add(_multiply(cos_0, _s21, _r7), _multiply(sin_0, _s19, _r5), _r5)
@@ -4608,19 +4663,19 @@ def ring_round_step(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_r
     _s11 = _multiply(omega_0, omega_0, _r9)
     _s12 = _multiply(_multiply(_k91, _s10, _r10), _multiply(_k64, _s11, _r11), _r10)
     _s13 = _multiply(_s12, _s12, _r10)
-    _s14 = _multiply(_s4, _add(_add(_absolute(cosine_12, _r11), _absolute(sine_12, _r12), _r12), _multiply(_k248, _multiply(_s13, _s13, _r10), _r10), _r10), _r10)
-    _s15 = _sqrt(_sqrt(_divide(_multiply(_k248, _s4, _r12), _select(_s9 < _s14, _s14, _s9, _r11), _r12), _r12), _r12)
+    _s14 = _multiply(_s4, _add(_add(_absolute(cosine_12, _r11), _absolute(sine_12, _r12), _r12), _multiply(_k249, _multiply(_s13, _s13, _r10), _r10), _r10), _r10)
+    _s15 = _sqrt(_sqrt(_divide(_multiply(_k249, _s4, _r12), _select(_s9 < _s14, _s14, _s9, _r11), _r12), _r12), _r12)
     _s16 = _sqrt(_sqrt(_s15, _r11), _r11)
-    _s17 = _multiply(_multiply(_k249, _s16, _r10), _sqrt(_sqrt(_s16, _r11), _r11), _r10)
+    _s17 = _multiply(_multiply(_k250, _s16, _r10), _sqrt(_sqrt(_s16, _r11), _r11), _r10)
     _s18 = _multiply(_s17, _multiply(_s17, _s17, _r11), _r11)
     _s19 = _multiply(_divide(_add(_s18, _multiply(_k49, _s15, _r3), _r3), _add(_multiply(_k49, _s18, _r11), _s15, _r11), _r11), _s17, _r11)
     _s20 = _result(_s19 < _k54, _s19, _k54, _r0)
     _s21 = _absolute(climb_10, _r10)
-    _s22 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k105, _s7, _r3), _s20, _r3), _multiply(_k250, _s5, _r12), _r12), _s20, _r12), _multiply(_k251, _s21, _r3), _r3), _s20, _r3)
+    _s22 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k105, _s7, _r3), _s20, _r3), _multiply(_k251, _s5, _r12), _r12), _s20, _r12), _multiply(_k252, _s21, _r3), _r3), _s20, _r3)
     _s23 = _absolute(climb_9, _r12)
     _s24 = _absolute(climb_8, _r13)
     _s25 = _absolute(climb_7, _r14)
-    _s26 = _add(_multiply(_add(_multiply(_add(_s22, _multiply(_k252, _s23, _r15), _r15), _s20, _r15), _multiply(_k52, _s24, _r3), _r3), _s20, _r3), _multiply(_k100, _s25, _r15), _r15)
+    _s26 = _add(_multiply(_add(_multiply(_add(_s22, _multiply(_k253, _s23, _r15), _r15), _s20, _r15), _multiply(_k52, _s24, _r3), _r3), _s20, _r3), _multiply(_k100, _s25, _r15), _r15)
     _s27 = _absolute(climb_6, _r3)
     _s28 = _absolute(climb_5, _r16)
     _s29 = _absolute(climb_4, _r17)
@@ -4664,8 +4719,8 @@ def ring_round_step(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_r
     _s67 = _absolute(along_1, _r30)
     _s68 = _add(_multiply(_add(_multiply(_add(_multiply(_s65, _s20, _r22), _s66, _r22), _s20, _r22), _s67, _r22), _s20, _r22), _s2, _r22)
     _s69 = _multiply(_s1, _s38, _r1) + _s68
-    _s70 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k105, _s8, _r7), _s20, _r7), _multiply(_k250, _s6, _r5), _r5), _s20, _r5), _multiply(_k251, _s55, _r8), _r8), _s20, _r8)
-    _s71 = _add(_multiply(_add(_multiply(_add(_s70, _multiply(_k252, _s56, _r21), _r21), _s20, _r21), _multiply(_k52, _s58, _r23), _r23), _s20, _r23), _multiply(_k100, _s59, _r24), _r24)
+    _s70 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k105, _s8, _r7), _s20, _r7), _multiply(_k251, _s6, _r5), _r5), _s20, _r5), _multiply(_k252, _s55, _r8), _r8), _s20, _r8)
+    _s71 = _add(_multiply(_add(_multiply(_add(_s70, _multiply(_k253, _s56, _r21), _r21), _s20, _r21), _multiply(_k52, _s58, _r23), _r23), _s20, _r23), _multiply(_k100, _s59, _r24), _r24)
     _s72 = _add(_multiply(_add(_multiply(_add(_multiply(_s71, _s20, _r24), _multiply(_k3, _s60, _r25), _r25), _s20, _r25), _multiply(_k94, _s62, _r26), _r26), _s20, _r26), _multiply(_k91, _s63, _r27), _r27)
     _s73 = _add(_multiply(_add(_multiply(_add(_multiply(_s72, _s20, _r27), _multiply(_k90, _s64, _r28), _r28), _s20, _r28), _multiply(_k49, _s66, _r29), _r29), _s20, _r29), _s67, _r29)
     _s74 = _multiply(_multiply(climb_0, climb_0, _r30), _s1, _r30)
@@ -4673,7 +4728,7 @@ def ring_round_step(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_r
     _s76 = p_inertia * (1.0 / (1.0 + p_inertia))
     _s77 = p_gravity * (3.0 - (2.0 * _s76))
     _s78 = 3.0 * p_ring_radius
-    _s79 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k250, _s40, _r0), _s20, _r0), _multiply(_k251, _s41, _r20), _r20), _s20, _r20), _multiply(_k252, _s42, _r19), _r19), _s20, _r19)
+    _s79 = _multiply(_add(_multiply(_add(_multiply(_multiply(_k251, _s40, _r0), _s20, _r0), _multiply(_k252, _s41, _r20), _r20), _s20, _r20), _multiply(_k253, _s42, _r19), _r19), _s20, _r19)
     _s80 = _add(_multiply(_add(_multiply(_add(_s79, _multiply(_k52, _s43, _r15), _r15), _s20, _r15), _multiply(_k100, _s45, _r16), _r16), _s20, _r16), _multiply(_k3, _s46, _r3), _r3)
     _s81 = _add(_multiply(_add(_multiply(_add(_multiply(_s80, _s20, _r3), _multiply(_k94, _s47, _r14), _r14), _s20, _r14), _multiply(_k91, _s49, _r13), _r13), _s20, _r13), _multiply(_k90, _s50, _r12), _r12)
     _s82 = _multiply(_s38, _s20, _r13)
@@ -4715,7 +4770,7 @@ def ring_swung(p_ball_radius: Any, p_gravity: Any, p_wire_radius: Any, which: An
     _s4 = _logical_and((_multiply(climb, climb_0, _r2) < _k4), (_multiply(0.015625 * p_gravity, stride, _r2) < _multiply(_absolute(_subtract(climb, climb_0, _r1), _r1), _s0, _r1)))
     _s5 = _logical_and(_logical_and(_s3, _s4), (_k4 < circled))
     _s6 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), 1.0 / _s0, _r1), _r1)
-    _s7 = _logical_not((_multiply(_s6, _multiply(_k258, _add(_multiply(position_error, _s6, _r2), _multiply(velocity_error, fastest, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
+    _s7 = _logical_not((_multiply(_s6, _multiply(_k259, _add(_multiply(position_error, _s6, _r2), _multiply(velocity_error, fastest, _r0), _r0), _r0), _r0) < ((0.000244140625 * (p_gravity * p_gravity)) * _s0)))
     return _result(_s3, _select(_s4, _k39, circled, _r0), _k4, _r0), _s5, _result(_logical_and(_s5, _s7), _k4, undecided_time, _r0)
 
 
@@ -4901,9 +4956,9 @@ def ring_round_9(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s4 = _add(_add(_add(_add(_add(_multiply(climb_0, _s3, _r0), _multiply(climb_1, omega_8, _r1), _r1), _multiply(climb_2, omega_7, _r0), _r0), _multiply(climb_3, omega_6, _r1), _r1), _multiply(climb_4, omega_5, _r0), _r0), _multiply(climb_5, omega_4, _r1), _r1)
     _s5 = _add(_add(_add(_s4, _multiply(climb_6, omega_3, _r0), _r0), _multiply(climb_7, omega_2, _r1), _r1), _multiply(climb_8, omega_1, _r0), _r0) + _multiply(climb_9, omega_0, _r1)
     _s6 = _add(_add(_add(_add(_add(_multiply(climb_0, sine_9, _r1), _multiply(climb_1, sine_8, _r0), _r0), _multiply(climb_2, sine_7, _r1), _r1), _multiply(climb_3, sine_6, _r0), _r0), _multiply(climb_4, sine_5, _r1), _r1), _multiply(climb_5, sine_4, _r0), _r0)
-    _s7 = _multiply(_k224, _add(_add(_add(_add(_s6, _multiply(climb_6, sine_3, _r1), _r1), _multiply(climb_7, sine_2, _r0), _r0), _multiply(climb_8, sine_1, _r1), _r1), _multiply(climb_9, sine_0, _r0), _r0), _r0)
+    _s7 = _multiply(_k225, _add(_add(_add(_add(_s6, _multiply(climb_6, sine_3, _r1), _r1), _multiply(climb_7, sine_2, _r0), _r0), _multiply(climb_8, sine_1, _r1), _r1), _multiply(climb_9, sine_0, _r0), _r0), _r0)
     _s8 = _add(_add(_add(_add(_add(_multiply(climb_0, cosine_9, _r1), _multiply(climb_1, cosine_8, _r2), _r2), _multiply(climb_2, cosine_7, _r1), _r1), _multiply(climb_3, cosine_6, _r2), _r2), _multiply(climb_4, cosine_5, _r1), _r1), _multiply(climb_5, cosine_4, _r2), _r2)
-    _s9 = _k224 * _add(_add(_add(_add(_s8, _multiply(climb_6, cosine_3, _r1), _r1), _multiply(climb_7, cosine_2, _r2), _r2), _multiply(climb_8, cosine_1, _r1), _r1), _multiply(climb_9, cosine_0, _r2), _r2)
+    _s9 = _k225 * _add(_add(_add(_add(_s8, _multiply(climb_6, cosine_3, _r1), _r1), _multiply(climb_7, cosine_2, _r2), _r2), _multiply(climb_8, cosine_1, _r1), _r1), _multiply(climb_9, cosine_0, _r2), _r2)
     _s10 = 1.0 / (1.0 + p_inertia)
     _s11 = _add(_add(_add(_add(_add(_multiply(omega_0, tilted_9, _r2), _multiply(omega_1, tilted_8, _r1), _r1), _multiply(omega_2, tilted_7, _r2), _r2), _multiply(omega_3, tilted_6, _r1), _r1), _multiply(omega_4, tilted_5, _r2), _r2), _multiply(omega_5, tilted_4, _r1), _r1)
     _s12 = _add(_multiply(_multiply(p_gravity, cosine_9, _r2), _s10, _r2), _add(_add(_add(_add(_s11, _multiply(omega_6, tilted_3, _r3), _r3), _multiply(omega_7, tilted_2, _r1), _r1), _multiply(omega_8, tilted_1, _r3), _r3), _multiply(tilted_0, _s3, _r1), _r1), _r1)
@@ -4913,7 +4968,7 @@ def ring_round_9(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radi
     _s16 = _multiply(p_inertia * _s10, _add(_add(_add(_add(_s15, _multiply(turn_rate_6, climb_3, _r2), _r2), _multiply(turn_rate_7, climb_2, _r4), _r4), _multiply(turn_rate_8, climb_1, _r2), _r2), _multiply(turn_rate_9, climb_0, _r4), _r4), _r4)
     _s17 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s5, _r2), _multiply(cosine_1, around_8, _r5), _r5), _multiply(cosine_2, around_7, _r2), _r2), _multiply(cosine_3, around_6, _r5), _r5), _multiply(cosine_4, around_5, _r2), _r2), _multiply(cosine_5, around_4, _r5), _r5)
     _s18 = _multiply(p_ring_radius * _s10, _add(_add(_add(_add(_s17, _multiply(cosine_6, around_3, _r2), _r2), _multiply(cosine_7, around_2, _r5), _r5), _multiply(cosine_8, around_1, _r2), _r2), _multiply(cosine_9, around_0, _r5), _r5), _r5)
-    return _s3, _s5, -_s7, _s9, -_multiply(_multiply(_k224, per_reach, _r0), _s12, _r0), _k224 * _subtract(_s14, _s16, _r4), (0.1 * p_ring_radius) * _s5, _k224 * _add(_s18, _multiply(_s0, _s5, _r4), _r4)
+    return _s3, _s5, -_s7, _s9, -_multiply(_multiply(_k225, per_reach, _r0), _s12, _r0), _k225 * _subtract(_s14, _s16, _r4), (0.1 * p_ring_radius) * _s5, _k225 * _add(_s18, _multiply(_s0, _s5, _r4), _r4)
 
 
 def ring_round_10(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, along_10: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4941,7 +4996,7 @@ def ring_round_10(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_rad
     _s16 = _add(_add(_add(_add(_add(_s15, _multiply(turn_rate_6, climb_4, _r4), _r4), _multiply(turn_rate_7, climb_3, _r5), _r5), _multiply(turn_rate_8, climb_2, _r4), _r4), _multiply(turn_rate_9, climb_1, _r5), _r5), _multiply(turn_rate_10, climb_0, _r4), _r4)
     _s17 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s5, _r5), _multiply(cosine_1, around_9, _r6), _r6), _multiply(cosine_2, around_8, _r5), _r5), _multiply(cosine_3, around_7, _r6), _r6), _multiply(cosine_4, around_6, _r5), _r5), _multiply(cosine_5, around_5, _r6), _r6)
     _s18 = _add(_add(_add(_add(_add(_s17, _multiply(cosine_6, around_4, _r5), _r5), _multiply(cosine_7, around_3, _r6), _r6), _multiply(cosine_8, around_2, _r5), _r5), _multiply(cosine_9, around_1, _r6), _r6), _multiply(cosine_10, around_0, _r5), _r5)
-    return _s3, _s5, -_multiply(_k225, _s7, _r1), _k225 * _s9, -_multiply(_multiply(_k225, per_reach, _r0), _add(_multiply(_multiply(p_gravity, cosine_10, _r1), _s10, _r1), _s12, _r2), _r0), _k225 * _subtract(_multiply(_s0, _s14, _r3), _multiply(p_inertia * _s10, _s16, _r4), _r4), (0.09090909090909091 * p_ring_radius) * _s5, _k225 * _add(_multiply(p_ring_radius * _s10, _s18, _r5), _multiply(_s0, _s5, _r4), _r4)
+    return _s3, _s5, -_multiply(_k226, _s7, _r1), _k226 * _s9, -_multiply(_multiply(_k226, per_reach, _r0), _add(_multiply(_multiply(p_gravity, cosine_10, _r1), _s10, _r1), _s12, _r2), _r0), _k226 * _subtract(_multiply(_s0, _s14, _r3), _multiply(p_inertia * _s10, _s16, _r4), _r4), (0.09090909090909091 * p_ring_radius) * _s5, _k226 * _add(_multiply(p_ring_radius * _s10, _s18, _r5), _multiply(_s0, _s5, _r4), _r4)
 
 
 def ring_round_11(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, turn_rate_11: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, climb_11: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, cosine_11: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, sine_11: Any, along_11: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, omega_10: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, around_10: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any, tilted_11: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4970,7 +5025,7 @@ def ring_round_11(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_rad
     _s17 = _add(_add(_add(_add(_add(_s16, _multiply(turn_rate_6, climb_5, _r4), _r4), _multiply(turn_rate_7, climb_4, _r5), _r5), _multiply(turn_rate_8, climb_3, _r4), _r4), _multiply(turn_rate_9, climb_2, _r5), _r5), _multiply(turn_rate_10, climb_1, _r4), _r4)
     _s18 = _add(_add(_add(_add(_add(_multiply(cosine_0, _s6, _r5), _multiply(cosine_1, around_10, _r6), _r6), _multiply(cosine_2, around_9, _r5), _r5), _multiply(cosine_3, around_8, _r6), _r6), _multiply(cosine_4, around_7, _r5), _r5), _multiply(cosine_5, around_6, _r6), _r6)
     _s19 = _add(_add(_add(_add(_add(_s18, _multiply(cosine_6, around_5, _r5), _r5), _multiply(cosine_7, around_4, _r6), _r6), _multiply(cosine_8, around_3, _r5), _r5), _multiply(cosine_9, around_2, _r6), _r6), _multiply(cosine_10, around_1, _r5), _r5)
-    return _s3, _s6, -_multiply(_k226, _add(_s8, _multiply(climb_11, sine_0, _r6), _r6), _r6), _k226 * _add(_s10, _multiply(climb_11, cosine_0, _r6), _r6), -_multiply(_multiply(_k226, per_reach, _r6), _add(_multiply(_multiply(p_gravity, cosine_11, _r0), _s11, _r0), _add(_s13, _multiply(tilted_0, _s3, _r1), _r1), _r1), _r6), _k226 * _subtract(_multiply(_s0, _add(_s15, _multiply(sine_11, around_0, _r6), _r6), _r6), _multiply(p_inertia * _s11, _add(_s17, _multiply(turn_rate_11, climb_0, _r3), _r3), _r3), _r3), (0.08333333333333333 * p_ring_radius) * _s6, _k226 * _add(_multiply(p_ring_radius * _s11, _add(_s19, _multiply(cosine_11, around_0, _r3), _r3), _r3), _multiply(_s0, _s6, _r5), _r5)
+    return _s3, _s6, -_multiply(_k227, _add(_s8, _multiply(climb_11, sine_0, _r6), _r6), _r6), _k227 * _add(_s10, _multiply(climb_11, cosine_0, _r6), _r6), -_multiply(_multiply(_k227, per_reach, _r6), _add(_multiply(_multiply(p_gravity, cosine_11, _r0), _s11, _r0), _add(_s13, _multiply(tilted_0, _s3, _r1), _r1), _r1), _r6), _k227 * _subtract(_multiply(_s0, _add(_s15, _multiply(sine_11, around_0, _r6), _r6), _r6), _multiply(p_inertia * _s11, _add(_s17, _multiply(turn_rate_11, climb_0, _r3), _r3), _r3), _r3), (0.08333333333333333 * p_ring_radius) * _s6, _k227 * _add(_multiply(p_ring_radius * _s11, _add(_s19, _multiply(cosine_11, around_0, _r3), _r3), _r3), _multiply(_s0, _s6, _r5), _r5)
 
 
 def ring_drops_through(p_ball_radius: Any, p_gravity: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
@@ -5087,11 +5142,11 @@ def backboard_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _halves(_room[:18])
     _s0 = _sqrt(_add(_multiply(nx, nx, _r0), _multiply(ny, ny, _r1), _r1), _r1)
     _s1 = _k26 < _s0
-    _s2 = _divide(_k140, _s0, _r1)
+    _s2 = _divide(_k143, _s0, _r1)
     _s3 = _subtract(z, p_board_top, _r0)
     _s4 = _subtract(p_board_bottom, z, _r2)
     _s5 = _absolute(_subtract(_select(_s3 < _k26, _k26, _s3, _r3), _select(_s4 < _k26, _k26, _s4, _r4), _r4), _r4)
-    _s6 = _k142 / p_ball_radius
+    _s6 = _k145 / p_ball_radius
     _s7 = _add(p_board_distance, x, _r2)
     _s8 = p_board_distance + p_board_thickness
     _s9 = _negative(_add(_s8, x, _r3), _r3)
@@ -5110,17 +5165,17 @@ def backboard_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s22 = _select(_s18 < _s21, _s18, _s21, _r12)
     _s23 = _select(_s17 < _s22, _s17, _s22, _r13)
     _s24 = _select(_s16 < _s23, _s16, _s23, _r14)
-    _s25 = _k161 * (((((_k33 * p_board_distance) + (_k33 * p_board_half_width)) + p_board_thickness) + _absolute(p_board_bottom)) + _absolute(p_board_top))
+    _s25 = _k164 * (((((_k33 * p_board_distance) + (_k33 * p_board_half_width)) + p_board_thickness) + _absolute(p_board_bottom)) + _absolute(p_board_top))
     _s26 = _subtract(_select(_s15 < _s24, _s15, _s24, _r15), _s25, _r15)
     _s27 = _select(_s6 < _s14, _s14, _s6, _r14)
-    _s28 = _divide(_k140, _multiply(_k267, _s26, _r13), _r13)
+    _s28 = _divide(_k143, _multiply(_k268, _s26, _r13), _r13)
     _s29 = _add(_k21, _multiply(_k22, _multiply(t, _absolute(normal_velocity, _r12), _r12), _r12), _r12)
     _s30 = _multiply(t, t, _r11)
     _s31 = _absolute(vx, _r10)
     _s32 = _absolute(vy, _r9)
     _s33 = _add(_multiply(p_gravity, _s30, _r8), _multiply(t, _add(_add(_s31, _s32, _r3), _absolute(vz, _r2), _r2), _r2), _r2)
     _s34 = _multiply(_k19, t, _r8)
-    _s35 = _add((_k268 * p_board_distance) + (_k268 * p_board_thickness), _multiply(_k22, _s10, _r6), _r6)
+    _s35 = _add((_k269 * p_board_distance) + (_k269 * p_board_thickness), _multiply(_k22, _s10, _r6), _r6)
     _s36 = _add(_add(_k21, _multiply(_k22, _add(_multiply(_s34, _s31, _r10), _absolute(x, _r3), _r3), _r3), _r3), _multiply(_k19, _s35, _r10), _r10)
     _s37 = _multiply(_k22, _s13, _r7)
     _s38 = _add(_add(_k21, _multiply(_k22, _add(_multiply(_s34, _s32, _r9), _absolute(y, _r3), _r3), _r3), _r3), _multiply(_k19, _s37, _r9), _r9)
@@ -5128,17 +5183,17 @@ def backboard_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s40 = _add(_add(_multiply(_s39, _s30, _r11), _multiply(_s34, _absolute(_add(vz, _multiply(_s39, t, _r3), _r3), _r3), _r3), _r3), _absolute(z, _r11), _r11)
     _s41 = _multiply(_k22, _s5, _r3)
     _s42 = _add(_add(_k21, _multiply(_k22, _s40, _r11), _r11), _multiply(_k19, _s41, _r8), _r8)
-    _s43 = _add(_multiply(_multiply(_s6, _s33, _r11), _add(_add(_s36, _s38, _r0), _s42, _r0), _r11), _multiply(_k269, _s33, _r2), _r2)
-    _s44 = _multiply(_k143, _s43, _r11)
-    _s45 = _multiply(_k170, _multiply(p_ball_radius, _divide(_multiply(normal_velocity, normal_velocity, _r0), _add(_add(_multiply(vx, vx, _r16), _multiply(vy, vy, _r17), _r17), _multiply(vz, vz, _r16), _r16), _r16), _r16), _r16)
+    _s43 = _add(_multiply(_multiply(_s6, _s33, _r11), _add(_add(_s36, _s38, _r0), _s42, _r0), _r11), _multiply(_k270, _s33, _r2), _r2)
+    _s44 = _multiply(_k146, _s43, _r11)
+    _s45 = _multiply(_k173, _multiply(p_ball_radius, _divide(_multiply(normal_velocity, normal_velocity, _r0), _add(_add(_multiply(vx, vx, _r16), _multiply(vy, vy, _r17), _r17), _multiply(vz, vz, _r16), _r16), _r16), _r16), _r16)
     _s46 = _add(_add(_s29, _s43, _r2), _select(_s44 < _s45, _s45, _s44, _r0), _r0)
-    _s47 = _add(_k270 * p_ball_radius, _add(_add(_multiply(_absolute(nx, _r11), _s36, _r11), _multiply(_absolute(ny, _r10), _s38, _r10), _r10), _multiply(_absolute(nz, _r11), _s42, _r11), _r11), _r11)
-    _s48 = _multiply(_k143, _s47, _r10)
+    _s47 = _add(_k271 * p_ball_radius, _add(_add(_multiply(_absolute(nx, _r11), _s36, _r11), _multiply(_absolute(ny, _r10), _s38, _r10), _r10), _multiply(_absolute(nz, _r11), _s42, _r11), _r11), _r11)
+    _s48 = _multiply(_k146, _s47, _r10)
     _s49 = _add(_add(_s29, _s47, _r11), _select(_s48 < _s45, _s45, _s48, _r12), _r12)
     _s50 = _add(place_n, _s49, _r10)
     _s51 = _k26 < back
     _s52 = _add(place_n, _s46, _r11)
-    return _result(_s1, _negative(_multiply(ny, _s2, _r16), _r16), _k26, _r0), _result(_s1, _multiply(nx, _s2, _r1), _k140, _r0), _result(_logical_and((_k26 < _s5), _s1), _s6, _k26, _r0), _s14, _result(_k26 < _s26, _select(_s27 < _s28, _s28, _s27, _r15), _k27, _r0), _result(_s51, _select(_s46 < _s50, _s50, _s46, _r15), _s49, _r0), _result(_s51, _select(_s52 < _s49, _s49, _s52, _r15), _s49, _r0), _k271 + _multiply(_k33 * _s6, _add(_add(_s35, _s37, _r7), _s41, _r7), _r7)
+    return _result(_s1, _negative(_multiply(ny, _s2, _r16), _r16), _k26, _r0), _result(_s1, _multiply(nx, _s2, _r1), _k143, _r0), _result(_logical_and((_k26 < _s5), _s1), _s6, _k26, _r0), _s14, _result(_k26 < _s26, _select(_s27 < _s28, _s28, _s27, _r15), _k27, _r0), _result(_s51, _select(_s46 < _s50, _s50, _s46, _r15), _s49, _r0), _result(_s51, _select(_s52 < _s49, _s49, _s52, _r15), _s49, _r0), _k272 + _multiply(_k33 * _s6, _add(_add(_s35, _s37, _r7), _s41, _r7), _r7)
 
 
 def backboard_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, change_ball_radius: Any, change_board_distance: Any, change_board_half_width: Any, change_board_bottom: Any, change_board_top: Any, change_board_thickness: Any) -> tuple[Any, ...]:
@@ -5257,7 +5312,7 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     _s31 = _select(_s21 < _s30, _s30, _s21, _r16)
     _s32 = _add(_s22, _multiply(_s25, _subtract(_s23, _s24, _r12), _r12), _r12)
     _s33 = _sqrt(_select(_s32 < _k4, _k4, _s32, _r11), _r11)
-    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k181, _r17)
+    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k184, _r17)
     _s35 = _k4 < _s32
     _s36 = _select(_s35, _multiply(_s27, _subtract(vz, _s33, _r12), _r12), _s34, _r18)
     _s37 = _divide(_subtract(_s18, _s19, _r8), _s17, _r8)
@@ -5276,7 +5331,7 @@ def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz
     _s50 = _where(_s2 < _s7, _s7, _s2)
     _s51 = _add(_add(_add(_s12, extent, _r21), _absolute((_s5 + _s3)), _r21), _where(_s50 < _s6, _s6, _s50), _r21)
     _s52 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s27, _add(_s51, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k49, speed, _r22), _s27, _r22), _r22)
-    _s53 = _add(_add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k183, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22), _select(_multiply(_k49, pad, _r20) < earliest_delay, _multiply(earliest_delay, _add(speed, _multiply(p_gravity, horizon, _r20), _r20), _r20), _k4, _r21), _r21)
+    _s53 = _add(_add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k131, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22), _select(_multiply(_k49, pad, _r20) < earliest_delay, _multiply(earliest_delay, _add(speed, _multiply(p_gravity, horizon, _r20), _r20), _r20), _k4, _r21), _r21)
     return _result(_k4 < _s31, _s31, _k4, _r0), _result(_s41 < horizon, _s41, horizon, _r0), _result(_k4 < _s43, _s43, _k4, _r0), _result(_s44 < horizon, _s44, horizon, _r0), _s49, _s47, _s53 - (1.52587890625e-05 * _s9)
 
 
@@ -5297,12 +5352,12 @@ def backboard_margins(horizon: Any, extent: Any, speed: Any, position_error: Any
     _s8 = _multiply(_k49, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(_k14, _s6, _r4), _r4), _r4)
     _s9 = _add(_add(3.3306690738754696e-16 * p_board_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
-    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k276, _s6, _r1), _r1), _s8, _r1)
+    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(_k277, _s6, _r1), _r1), _s8, _r1)
     _s12 = _add(_add((2.220446049250313e-16 * _absolute(p_board_bottom)) + (2.220446049250313e-16 * _absolute(p_board_top)), _s7, _r2), _s8, _r2)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k277, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k278, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k276, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k279, _s5, _r6)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k278, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k279, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k277, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k280, _s5, _r6)
     _s17 = _add(_add(_add(_multiply(2.667137344314341e-15 * _s4, _s5, _r8), _multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k62, _s5, _r0), _r0), _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r1), _r1)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
@@ -5442,7 +5497,7 @@ def backboard_approaches(leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx:
     _s12 = _multiply(_k91, _add(_multiply(velocity_error, _s9, _r0), _multiply(_s10, _add(velocity_error, _add(speed, _multiply(p_gravity, horizon, _r6), _r6), _r6), _r6), _r6), _r6)
     _s13 = _multiply(_multiply(_k72, horizon, _r0), _negative(_multiply(p_gravity, _s8, _r1), _r1), _r0)
     _s14 = _add(_subtract(_add(_add(_multiply(vx, _s2, _r3), _multiply(vy, _s5, _r4), _r4), _multiply(vz, _s8, _r5), _r5), _s12, _r6), _select(_s13 < _k4, _s13, _k4, _r5), _r5) <= _k4
-    _s15 = _logical_or(_logical_not(_logical_and(_logical_and(_s11, (position_error <= _multiply(_k289, extent, _r5))), (velocity_error <= _multiply(_k289, speed, _r5)))), _s14)
+    _s15 = _logical_or(_logical_not(_logical_and(_logical_and(_s11, (position_error <= _multiply(_k290, extent, _r5))), (velocity_error <= _multiply(_k290, speed, _r5)))), _s14)
     return _s15,
 
 
@@ -5762,12 +5817,12 @@ def bridge_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, n
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _halves(_room[:18])
     _s0 = _sqrt(_add(_multiply(nx, nx, _r0), _multiply(ny, ny, _r1), _r1), _r1)
     _s1 = _k26 < _s0
-    _s2 = _divide(_k140, _s0, _r1)
+    _s2 = _divide(_k143, _s0, _r1)
     _s3 = _subtract(z, p_wire_radius, _r0)
     _s4 = p_wire_radius - p_bridge_depth
     _s5 = _subtract(_s4, z, _r2)
     _s6 = _absolute(_subtract(_select(_s3 < _k26, _k26, _s3, _r3), _select(_s5 < _k26, _k26, _s5, _r4), _r4), _r4)
-    _s7 = _k142 / p_ball_radius
+    _s7 = _k145 / p_ball_radius
     _s8 = _add(p_ring_radius, x, _r2)
     _s9 = _negative(_add(p_board_distance, x, _r3), _r3)
     _s10 = _absolute(_subtract(_select(_s8 < _k26, _k26, _s8, _r5), _select(_s9 < _k26, _k26, _s9, _r6), _r6), _r6)
@@ -5785,10 +5840,10 @@ def bridge_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, n
     _s22 = _select(_s18 < _s21, _s18, _s21, _r12)
     _s23 = _select(_s17 < _s22, _s17, _s22, _r13)
     _s24 = _select(_s16 < _s23, _s16, _s23, _r14)
-    _s25 = _k161 * ((((p_ring_radius + (_k33 * p_wire_radius)) + p_board_distance) + (_k33 * p_bridge_half_width)) + p_bridge_depth)
+    _s25 = _k164 * ((((p_ring_radius + (_k33 * p_wire_radius)) + p_board_distance) + (_k33 * p_bridge_half_width)) + p_bridge_depth)
     _s26 = _subtract(_select(_s15 < _s24, _s15, _s24, _r15), _s25, _r15)
     _s27 = _select(_s7 < _s14, _s14, _s7, _r14)
-    _s28 = _divide(_k140, _multiply(_k267, _s26, _r13), _r13)
+    _s28 = _divide(_k143, _multiply(_k268, _s26, _r13), _r13)
     _s29 = _add(_k21, _multiply(_k22, _multiply(t, _absolute(normal_velocity, _r12), _r12), _r12), _r12)
     _s30 = _multiply(t, t, _r11)
     _s31 = _absolute(vx, _r10)
@@ -5801,19 +5856,19 @@ def bridge_tangents(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, n
     _s38 = _add(_add(_k21, _multiply(_k22, _add(_multiply(_s34, _s32, _r9), _absolute(y, _r3), _r3), _r3), _r3), _multiply(_k19, _s37, _r9), _r9)
     _s39 = _k20 * p_gravity
     _s40 = _add(_add(_multiply(_s39, _s30, _r11), _multiply(_s34, _absolute(_add(vz, _multiply(_s39, t, _r3), _r3), _r3), _r3), _r3), _absolute(z, _r11), _r11)
-    _s41 = _add((_k32 * p_wire_radius) + (_k268 * p_bridge_depth), _multiply(_k22, _s6, _r3), _r3)
+    _s41 = _add((_k32 * p_wire_radius) + (_k269 * p_bridge_depth), _multiply(_k22, _s6, _r3), _r3)
     _s42 = _add(_add(_k21, _multiply(_k22, _s40, _r11), _r11), _multiply(_k19, _s41, _r8), _r8)
-    _s43 = _add(_multiply(_multiply(_s7, _s33, _r11), _add(_add(_s36, _s38, _r0), _s42, _r0), _r11), _multiply(_k269, _s33, _r2), _r2)
-    _s44 = _multiply(_k143, _s43, _r11)
-    _s45 = _multiply(_k170, _multiply(p_ball_radius, _divide(_multiply(normal_velocity, normal_velocity, _r0), _add(_add(_multiply(vx, vx, _r16), _multiply(vy, vy, _r17), _r17), _multiply(vz, vz, _r16), _r16), _r16), _r16), _r16)
+    _s43 = _add(_multiply(_multiply(_s7, _s33, _r11), _add(_add(_s36, _s38, _r0), _s42, _r0), _r11), _multiply(_k270, _s33, _r2), _r2)
+    _s44 = _multiply(_k146, _s43, _r11)
+    _s45 = _multiply(_k173, _multiply(p_ball_radius, _divide(_multiply(normal_velocity, normal_velocity, _r0), _add(_add(_multiply(vx, vx, _r16), _multiply(vy, vy, _r17), _r17), _multiply(vz, vz, _r16), _r16), _r16), _r16), _r16)
     _s46 = _add(_add(_s29, _s43, _r2), _select(_s44 < _s45, _s45, _s44, _r0), _r0)
-    _s47 = _add(_k270 * p_ball_radius, _add(_add(_multiply(_absolute(nx, _r11), _s36, _r11), _multiply(_absolute(ny, _r10), _s38, _r10), _r10), _multiply(_absolute(nz, _r11), _s42, _r11), _r11), _r11)
-    _s48 = _multiply(_k143, _s47, _r10)
+    _s47 = _add(_k271 * p_ball_radius, _add(_add(_multiply(_absolute(nx, _r11), _s36, _r11), _multiply(_absolute(ny, _r10), _s38, _r10), _r10), _multiply(_absolute(nz, _r11), _s42, _r11), _r11), _r11)
+    _s48 = _multiply(_k146, _s47, _r10)
     _s49 = _add(_add(_s29, _s47, _r11), _select(_s48 < _s45, _s45, _s48, _r12), _r12)
     _s50 = _add(place_n, _s49, _r10)
     _s51 = _k26 < back
     _s52 = _add(place_n, _s46, _r11)
-    return _result(_s1, _negative(_multiply(ny, _s2, _r16), _r16), _k26, _r0), _result(_s1, _multiply(nx, _s2, _r1), _k140, _r0), _result(_logical_and((_k26 < _s6), _s1), _s7, _k26, _r0), _s14, _result(_k26 < _s26, _select(_s27 < _s28, _s28, _s27, _r15), _k27, _r0), _result(_s51, _select(_s46 < _s50, _s50, _s46, _r15), _s49, _r0), _result(_s51, _select(_s52 < _s49, _s49, _s52, _r15), _s49, _r0), _k271 + _multiply(_k33 * _s7, _add(_add(_s41, _s35, _r3), _s37, _r3), _r3)
+    return _result(_s1, _negative(_multiply(ny, _s2, _r16), _r16), _k26, _r0), _result(_s1, _multiply(nx, _s2, _r1), _k143, _r0), _result(_logical_and((_k26 < _s6), _s1), _s7, _k26, _r0), _s14, _result(_k26 < _s26, _select(_s27 < _s28, _s28, _s27, _r15), _k27, _r0), _result(_s51, _select(_s46 < _s50, _s50, _s46, _r15), _s49, _r0), _result(_s51, _select(_s52 < _s49, _s49, _s52, _r15), _s49, _r0), _k272 + _multiply(_k33 * _s7, _add(_add(_s41, _s35, _r3), _s37, _r3), _r3)
 
 
 def bridge_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, change_ball_radius: Any, change_ring_radius: Any, change_wire_radius: Any, change_board_distance: Any, change_bridge_half_width: Any, change_bridge_depth: Any) -> tuple[Any, ...]:
@@ -5932,7 +5987,7 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     _s31 = _select(_s21 < _s30, _s30, _s21, _r16)
     _s32 = _add(_s22, _multiply(_s25, _subtract(_s24, _s23, _r12), _r12), _r12)
     _s33 = _sqrt(_select(_s32 < _k4, _k4, _s32, _r11), _r11)
-    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k181, _r17)
+    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), _k184, _r17)
     _s35 = _k4 < _s32
     _s36 = _select(_s35, _multiply(_s27, _subtract(vz, _s33, _r12), _r12), _s34, _r18)
     _s37 = _divide(_subtract(_s18, _s19, _r8), _s17, _r8)
@@ -5951,7 +6006,7 @@ def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: A
     _s50 = _where(_s7 < _s5, _s5, _s7)
     _s51 = _add(_add(_add(_s12, extent, _r21), _absolute((_s3 - p_wire_radius)), _r21), _where(_s50 < _s4, _s4, _s50), _r21)
     _s52 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s27, _add(_s51, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(_k49, speed, _r22), _s27, _r22), _r22)
-    _s53 = _add(_add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k183, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22), _select(_multiply(_k49, pad, _r20) < earliest_delay, _multiply(earliest_delay, _add(speed, _multiply(p_gravity, horizon, _r20), _r20), _r20), _k4, _r21), _r21)
+    _s53 = _add(_add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(_k131, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22), _select(_multiply(_k49, pad, _r20) < earliest_delay, _multiply(earliest_delay, _add(speed, _multiply(p_gravity, horizon, _r20), _r20), _r20), _k4, _r21), _r21)
     return _result(_k4 < _s31, _s31, _k4, _r0), _result(_s41 < horizon, _s41, horizon, _r0), _result(_k4 < _s43, _s43, _k4, _r0), _result(_s44 < horizon, _s44, horizon, _r0), _s49, _s47, _s53 - (1.52587890625e-05 * _s9)
 
 
@@ -5973,11 +6028,11 @@ def bridge_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, v
     _s9 = _add(_add(3.3306690738754696e-16 * p_bridge_half_width, _s7, _r3), _s8, _r3)
     _s10 = 2.001953125 * _s4
     _s11 = _add(_add((1.1102230246251565e-16 * p_ring_radius) + (1.1102230246251565e-16 * p_board_distance), _s7, _r2), _s8, _r2)
-    _s12 = _add(_add((5.551115123125783e-16 * p_wire_radius) + (2.220446049250313e-16 * p_bridge_depth), _multiply(_k276, _s6, _r1), _r1), _s8, _r1)
-    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k277, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
-    _s14 = _multiply(_k278, _s5, _r4)
-    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k276, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
-    _s16 = _multiply(_k279, _s5, _r6)
+    _s12 = _add(_add((5.551115123125783e-16 * p_wire_radius) + (2.220446049250313e-16 * p_bridge_depth), _multiply(_k277, _s6, _r1), _r1), _s8, _r1)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(_k278, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(_k279, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(6.667843360785852e-15 * _s4, _s5, _r6), _multiply(12.01171875 * _s4, _add(velocity_error, _multiply(_k277, _s5, _r7), _r7), _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(_k280, _s5, _r6)
     _s17 = _add(_add(_add(_multiply(2.667137344314341e-15 * _s4, _s5, _r8), _multiply(6.005859375 * _s4, _add(velocity_error, _multiply(_k62, _s5, _r0), _r0), _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r2), _r2)
     return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
 
@@ -6137,7 +6192,7 @@ def bridge_approaches(leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: An
     _s13 = _subtract(_add(_add(_multiply(vx, _s2, _r3), _multiply(vy, _s8, _r5), _r5), _multiply(vz, _s5, _r3), _r3), _s12, _r6)
     _s14 = _multiply(_multiply(_k72, horizon, _r3), _negative(_multiply(p_gravity, _s5, _r4), _r4), _r3)
     _s15 = _select(_s14 < _k4, _s14, _k4, _r4)
-    _s16 = _logical_or(_logical_not(_logical_and(_logical_and(_s11, (position_error <= _multiply(_k289, extent, _r5))), (velocity_error <= _multiply(_k289, speed, _r5)))), _logical_or(_logical_and(first_near, (_add(_s13, _multiply(_k72, _s15, _r5), _r5) <= _k4)), _logical_and(later_near, (_add(_s13, _s15, _r4) <= _k4))))
+    _s16 = _logical_or(_logical_not(_logical_and(_logical_and(_s11, (position_error <= _multiply(_k290, extent, _r5))), (velocity_error <= _multiply(_k290, speed, _r5)))), _logical_or(_logical_and(first_near, (_add(_s13, _multiply(_k72, _s15, _r5), _r5) <= _k4)), _logical_and(later_near, (_add(_s13, _s15, _r4) <= _k4))))
     return _s16,
 
 
@@ -6434,9 +6489,9 @@ def end_tangents(t: Any, z: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROWS) 
     """
     t, z, vz, p_gravity, = [_single(value) for value in (t, z, vz, p_gravity,)]
     _r0, _r1, _r2 = _halves(_room[:3])
-    _s0 = _multiply(_multiply(_k149, t, _r0), _add(_absolute(vz, _r1), _absolute(_add(vz, _multiply(_k20 * p_gravity, t, _r2), _r2), _r2), _r2), _r0)
+    _s0 = _multiply(_multiply(_k152, t, _r0), _add(_absolute(vz, _r1), _absolute(_add(vz, _multiply(_k20 * p_gravity, t, _r2), _r2), _r2), _r2), _r0)
     _s1 = _k21 + _multiply(_k22, _add(_s0, _absolute(z, _r2), _r2), _r2)
-    return _k34, _k142, _k34, _k34, _k34, _s1, _s1, _k34
+    return _k34, _k145, _k34, _k34, _k34, _s1, _s1, _k34
 
 
 def end_vary(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_ring_radius: Any, p_gravity: Any, p_end_depth: Any, change_ring_radius: Any, change_end_depth: Any) -> tuple[Any, ...]:
@@ -6475,7 +6530,7 @@ def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, veloc
     """
     _r0, _r1, _r2 = _room[:3]
     _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
-    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k291, _s0, _r1), _r1) + _multiply(_k279, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k14, _s0, _r0), _r0), _r0),
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(_k292, _s0, _r1), _r1) + _multiply(_k280, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(_k14, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -6986,8 +7041,9 @@ def _found_alone(arrival: Any) -> tuple[Any, ...]:
     return _s0, _s0, _k2
 
 
-def _refined_root_alone(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
-    return refined if certain else arrival, certain and ((_k85 * (rate * rate)) < (ceiling * abs(gap)))
+def _refined_root_alone(leaving: Any, gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
+    _s0 = certain or ((_k2 < leaving) and (rate < _k2))
+    return refined if _s0 else arrival, _s0 and ((_k85 * (rate * rate)) < (ceiling * abs(gap)))
 
 
 def _own_margin_alone(leaving: Any, flat: Any, tilt: Any, arrival: Any) -> tuple[Any, ...]:
@@ -6998,9 +7054,9 @@ def _arrival_time_alone(arrival: Any) -> tuple[Any, ...]:
     return _k2 if (arrival < _k2) else arrival,
 
 
-def _arrival_certainty_alone(clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
+def _arrival_certainty_alone(t: Any, clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
     _s0 = certain and (_k2 < clearance)
-    _s1 = (time - delay) if certain else time
+    _s1 = (time - delay) if certain else (time if time < t else t)
     return delay if _s0 else _k2, _s1 if ((arrives and (not _s0)) and (_s1 < undecided_time)) else undecided_time
 
 
@@ -7604,7 +7660,7 @@ def _ring_friction_alone(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, n
     _s6 = (_k44 * _s2) * (((((nx_0 * _s5) + (nx_1 * _s0)) + (turn_rate_0 * tx_1)) + (turn_rate_1 * tx_0)) * _s1)
     _s7 = (_k44 * _s3) * (((((ny_0 * _s5) + (ny_1 * _s0)) + (turn_rate_0 * ty_1)) + (turn_rate_1 * ty_0)) * _s1)
     _s8 = (_k44 * _s4) * (((((nz_0 * _s5) + (nz_1 * _s0)) + (turn_rate_0 * tz_1)) + (turn_rate_1 * tz_0)) * _s1)
-    return ((_s2 * _s2) + (_s3 * _s3)) + (_s4 * _s4), (_s6 + _s7) + _s8, _k132, _k2
+    return ((_s2 * _s2) + (_s3 * _s3)) + (_s4 * _s4), (_s6 + _s7) + _s8, _k135, _k2
 
 
 def _forget_grip_deficit_alone() -> tuple[Any, ...]:
@@ -7669,9 +7725,9 @@ def _ring_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, positi
     _s0 = speed + (p_gravity * horizon)
     _s1 = horizon * _s0
     _s2 = (position_error + (horizon * velocity_error)) - (share * (_s1 + (extent + _s1)))
-    _s3 = _k175 * (p_ball_radius + p_wire_radius)
+    _s3 = _k178 * (p_ball_radius + p_wire_radius)
     _s4 = p_ring_radius - _s3
-    _s5 = _k176 * p_ring_radius
+    _s5 = _k179 * p_ring_radius
     _s6 = _s3 / (_s5 if _s4 < _s5 else _s4)
     _s7 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * _s2) + (_s3 * (velocity_error - (share * _s0)))
     return _s7 if _s2 < _s7 else _s2,
@@ -7686,7 +7742,7 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s5 = (_k44 * p_ring_radius) * _s4
     _s6 = (x * x) + (y * y)
     _s7 = p_ball_radius + p_wire_radius
-    _s8 = _k175 * _s7
+    _s8 = _k178 * _s7
     _s9 = _k44 * p_gravity
     _s10 = _k77 * (_s0 + (_s9 * (abs(z) + _s8)))
     _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
@@ -7704,20 +7760,20 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s23 = _k75 * ((abs(_s21) + abs(_s3)) + _s22)
     _s24 = _k1 / _s1
     _s25 = _k2 <= _s20
-    _s26 = _k182 < _s1
-    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k7) if _s26 else _k132
+    _s26 = _k185 < _s1
+    _s27 = (((-((_s21 + _s22) + _s23)) * _s24) if _s25 else _k7) if _s26 else _k135
     _s28 = _s27 if _s16 < _s27 else _s16
     _s29 = p_ring_radius - _s8
-    _s30 = _k176 * p_ring_radius
+    _s30 = _k179 * p_ring_radius
     _s31 = _s30 if _s29 < _s30 else _s29
     _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k132) if _s26 else _k7
+    _s34 = ((((_s22 + _s23) - _s21) * _s24) if _s25 else _k135) if _s26 else _k7
     _s35 = _k2 < (_s32 if _s26 else _k2)
     _s36 = (((_s23 - _s21) - _s33) * _s24) if _s35 else _s34
     _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
     _s38 = _root((_k2 if _s37 < _k2 else _s37))
-    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k132
+    _s39 = (_s12 * ((vz + _s13) + _s14)) if _s15 else _k135
     _s40 = _k2 < _s37
     _s41 = (_s12 * ((vz + _s14) - _s38)) if _s40 else _s39
     _s42 = _s36 if _s36 < _s41 else _s41
@@ -7736,28 +7792,28 @@ def _ring_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s55 = _s42 if _k2 < _s42 else _k2
     _s56 = _s51 if _s55 < _s51 else _s55
     _s57 = _s53 if _s56 < _s53 else _s56
-    _s58 = (_k177 * p_ring_radius) - (p_ring_radius - _s7)
+    _s58 = (_k180 * p_ring_radius) - (p_ring_radius - _s7)
     _s59 = _root(_k44) * _root((_s12 * (((_k44 * p_ball_radius) + (_k44 * p_wire_radius)) + extent)))
     _s60 = _s59 + ((_k44 * speed) * _s12)
     _s61 = ((position_error + (velocity_error * (_s60 if _s60 < horizon else horizon))) - (_k41 * p_ball_radius)) - (_k41 * p_wire_radius)
-    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k179 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
+    return _s2, _s5, _root(_s6), _s28 if _k2 < _s28 else _k2, _s42 if _s42 < horizon else horizon, _s50 if _k2 < _s50 else _k2, _s51 if _s51 < horizon else horizon, _s52 if _k2 < _s52 else _k2, _s53 if _s53 < horizon else horizon, (((_k182 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + abs(_s2), _s57 if _s57 < horizon else horizon, _s61 if _s58 < _s61 else _s58
 
 
 def _ring_margins_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = speed + (p_gravity * horizon)
-    _s2 = _k175 * _s0
+    _s2 = _k178 * _s0
     _s3 = _s2 * _s1
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (_k18 * _s5)
     _s7 = p_ring_radius - _s2
-    _s8 = _k176 * p_ring_radius
+    _s8 = _k179 * p_ring_radius
     _s9 = _s2 / (_s8 if _s7 < _s8 else _s7)
     _s10 = _s9 if _k1 < _s9 else _k1
     _s11 = _k96 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (_k63 * _s1))))
-    _s12 = _k15 * ((((_k186 * _s1) * ((_s5 * _s10) + _s4)) + (_k18 * _s3)) + _s11)
-    return _k15 * ((((_k18 * horizon) * _s3) + ((_k184 * _s0) * _s4)) + ((_k185 * _s0) * _s6)), _s12, _k15 * ((_k186 * (_s4 * _s1)) + _s11)
+    _s12 = _k15 * ((((_k132 * _s1) * ((_s5 * _s10) + _s4)) + (_k18 * _s3)) + _s11)
+    return _k15 * ((((_k18 * horizon) * _s3) + ((_k186 * _s0) * _s4)) + ((_k187 * _s0) * _s6)), _s12, _k15 * ((_k132 * (_s4 * _s1)) + _s11)
 
 
 def _ring_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7795,7 +7851,7 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s15 = _k6 * p_gravity
     _s16 = _s15 * _s8
     _s17 = moment2 * (_s11 * (_s11 * _s11))
-    _s18 = _k175 * _s9
+    _s18 = _k178 * _s9
     _s19 = _k118 * (p_ring_radius + _s18)
     _s20 = _s14 - rate_margin
     _s21 = _s10 - margin
@@ -7810,7 +7866,7 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
     _s30 = _s15 * (_s18 if _s18 < _s29 else _s29)
     _s31 = ((_s28 * (_k2 if _k2 < _s12 else _s12)) + _s2) - _s19
     _s32 = p_ring_radius - _s18
-    _s33 = _k176 * p_ring_radius
+    _s33 = _k179 * p_ring_radius
     _s34 = _s33 if _s32 < _s33 else _s32
     _s35 = _k1 / (_s34 if _s31 < _s34 else _s31)
     _s36 = moment2 * (_s35 * (_s35 * _s35))
@@ -7825,47 +7881,47 @@ def _ring_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_margin
 
 def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = vz * vz
-    _s1 = _k187 * (p_ball_radius + p_wire_radius)
+    _s1 = _k188 * (p_ball_radius + p_wire_radius)
     _s2 = _k33 * p_gravity
-    _s3 = _k196 * (_s0 + (_s2 * (abs(z) + _s1)))
+    _s3 = _k197 * (_s0 + (_s2 * (abs(z) + _s1)))
     _s4 = (_s0 + (_s2 * (z + _s1))) + _s3
-    _s5 = _k142 / p_gravity
+    _s5 = _k145 / p_gravity
     _s6 = _root(_s4)
-    _s7 = _k161 * (abs(vz) + _s6)
+    _s7 = _k164 * (abs(vz) + _s6)
     _s8 = _k34 <= _s4
     _s9 = (_s5 * ((vz - _s6) - _s7)) if _s8 else _k36
     _s10 = (vx * vx) + (vy * vy)
     _s11 = p_ring_radius + _s1
     _s12 = _s11 * _s11
-    _s13 = (_k161 * _s10) * (_s12 + ((x * x) + (y * y)))
+    _s13 = (_k164 * _s10) * (_s12 + ((x * x) + (y * y)))
     _s14 = (x * vy) - (y * vx)
     _s15 = _s14 * _s14
     _s16 = ((_s12 * _s10) + _s13) - _s15
     _s17 = (x * vx) + (y * vy)
     _s18 = _root(_s16)
-    _s19 = _k161 * ((abs(_s17) + abs(_s14)) + _s18)
-    _s20 = _k142 / _s10
+    _s19 = _k164 * ((abs(_s17) + abs(_s14)) + _s18)
+    _s20 = _k145 / _s10
     _s21 = _k34 <= _s16
-    _s22 = _k197 < _s10
-    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k36) if _s22 else _k198
+    _s22 = _k198 < _s10
+    _s23 = (((-((_s17 + _s18) + _s19)) * _s20) if _s21 else _k36) if _s22 else _k199
     _s24 = _s23 if _s9 < _s23 else _s9
     _s25 = _s24 if _k34 < _s24 else _k34
     _s26 = _s25 if _k34 < _s25 else _k34
     _s27 = p_ring_radius - _s1
-    _s28 = _k191 * p_ring_radius
+    _s28 = _k192 * p_ring_radius
     _s29 = _s28 if _s27 < _s28 else _s27
     _s30 = ((_s10 * (_s29 * _s29)) - _s13) - _s15
     _s31 = _root((_k34 if _s30 < _k34 else _s30))
-    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k198) if _s22 else _k36
+    _s32 = ((((_s18 + _s19) - _s17) * _s20) if _s21 else _k199) if _s22 else _k36
     _s33 = _k34 < (_s30 if _s22 else _k34)
     _s34 = (((_s19 - _s17) - _s31) * _s20) if _s33 else _s32
     _s35 = (_s0 + (_s2 * (z - _s1))) - _s3
     _s36 = _root((_k34 if _s35 < _k34 else _s35))
-    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k198
+    _s37 = (_s5 * ((vz + _s6) + _s7)) if _s8 else _k199
     _s38 = _k34 < _s35
     _s39 = (_s5 * ((vz + _s7) - _s36)) if _s38 else _s37
     _s40 = _s34 if _s34 < _s39 else _s39
-    _s41 = _k199 * horizon
+    _s41 = _k200 * horizon
     _s42 = _s40 if _s40 < _s41 else _s41
     _s43 = _s26 < _s42
     _s44 = (((_s31 - _s17) - _s19) * _s20) if _s33 else _k36
@@ -7890,38 +7946,38 @@ def _ring_opened_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, v
     _s63 = _s40 if _k34 < _s40 else _k34
     _s64 = _s54 if _s63 < _s54 else _s63
     _s65 = _s60 if _s64 < _s60 else _s64
-    _s66 = (((_s11 <= (_k148 * _s29)) and (_s11 <= ((_k148 * p_ball_radius) + (_k148 * p_wire_radius)))) and (_s11 <= _k193)) and (_k194 <= _s29)
-    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k34)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k34)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k193)) and (_k194 <= p_gravity)) and (extent <= _k193)) and (speed <= _k193)
+    _s66 = (((_s11 <= (_k151 * _s29)) and (_s11 <= ((_k151 * p_ball_radius) + (_k151 * p_wire_radius)))) and (_s11 <= _k194)) and (_k195 <= _s29)
+    return _s26 if _s43 else (_s53 if _s56 else (_s59 if _s62 else _k34)), _s42 if _s43 else (_s55 if _s56 else (_s61 if _s62 else _k34)), ((False or _s62) or _s56) or _s43, _s52, _s55, _s58, _s61, _s65 if _s65 < _s41 else _s41, (((_s66 and (p_gravity <= _k194)) and (_k195 <= p_gravity)) and (extent <= _k194)) and (speed <= _k194)
 
 
 def _ring_resolution_alone(t: Any, end: Any, leaving: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = _k34 < leaving
     _s1 = speed + (p_gravity * horizon)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = _k187 * _s2
+    _s3 = _k188 * _s2
     _s4 = p_ring_radius - _s3
-    _s5 = _k191 * p_ring_radius
+    _s5 = _k192 * p_ring_radius
     _s6 = _s5 if _s4 < _s5 else _s4
     _s7 = _s2 / _s6
-    _s8 = _s7 if _k142 < _s7 else _k142
+    _s8 = _s7 if _k145 < _s7 else _k145
     _s9 = _s1 * _s8
     _s10 = extent + (horizon * _s1)
-    _s11 = _k160 * ((_s9 * _s10) + (_s2 * _s1))
-    _s12 = (_k210 * start_rate) / _s11
-    _s13 = _s12 if _s12 < _k211 else _k211
-    _s14 = (_s13 if _k209 < _s13 else _k209) if _s0 else _k211
-    _s15 = ((_k33 * (vz * vz)) + ((_k164 * p_gravity) * z)) + (_k33 * ((vx * vx) + (vy * vy)))
+    _s11 = _k163 * ((_s9 * _s10) + (_s2 * _s1))
+    _s12 = (_k211 * start_rate) / _s11
+    _s13 = _s12 if _s12 < _k212 else _k212
+    _s14 = (_s13 if _k210 < _s13 else _k210) if _s0 else _k212
+    _s15 = ((_k33 * (vz * vz)) + ((_k167 * p_gravity) * z)) + (_k33 * ((vx * vx) + (vy * vy)))
     _s16 = (x * vy) - (y * vx)
     _s17 = (_k33 * p_ring_radius) * (_s16 * _s16)
-    _s18 = _k142 / _s6
+    _s18 = _k145 / _s6
     _s19 = _s18 * (_s18 * _s18)
-    _s20 = (((_k203 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
+    _s20 = (((_k204 * p_gravity) * _s2) + (_s17 * _s19)) + abs(_s15)
     _s21 = horizon - t
     _s22 = p_gravity * (_s21 * _s21)
     _s23 = p_ring_radius + _s3
-    _s24 = (_s10 * _s14) + (_k161 * (_s22 + _s23))
+    _s24 = (_s10 * _s14) + (_k164 * (_s22 + _s23))
     _s25 = (_k20 * ((_s17 * (abs(vx) + abs(vy))) * _s19)) / _s6
-    return _s14, _k34, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k35 * _s20, (_k205 * _s2) * _s24, (_k35 * ((_k196 * abs(start_rate)) + ((_k212 + _s14) * _s11))) if _s0 else _k36, _k35 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k155 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k160 * (((_k35 * _s9) * _s24) + (((_k213 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k208 * p_ball_radius) + (_k208 * p_wire_radius))) and ((t * leaving) <= _k34)
+    return _s14, _k34, end - t, x, y, z, vx, vy, vz, _s15, _s17, _root(((x * x) + (y * y))), _k35 * _s20, (_k206 * _s2) * _s24, (_k35 * ((_k197 * abs(start_rate)) + ((_k213 + _s14) * _s11))) if _s0 else _k36, _k35 * ((p_gravity * ((p_gravity * _s21) + abs(vz))) + _s25), (_k158 * ((_s23 / _s6) * _s8)) * _s20, start_rate, rho_rate, _k163 * (((_k35 * _s9) * _s24) + (((_k214 + _s14) * _s2) * _s1)), low1 - t, high1 - t, low2 - t, high2 - t, (_s22 <= ((_k209 * p_ball_radius) + (_k209 * p_wire_radius))) and ((t * leaving) <= _k34)
 
 
 def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, energy2: Any, moment2: Any, rho_start: Any, flat: Any, tilt: Any, quotient_margin: Any, jerk: Any, start_rate: Any, rho_rate: Any, low1: Any, high1: Any, low2: Any, high2: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -7936,7 +7992,7 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s8 = y + (vy * t)
     _s9 = _root(((_s7 * _s7) + (_s8 * _s8)))
     _s10 = rho_start + _s9
-    _s11 = _k142 / (_s10 * _s9)
+    _s11 = _k145 / (_s10 * _s9)
     _s12 = _s9 * _s11
     _s13 = _s12 * ((t * _s6) + (_k33 * ((x * vx) + (y * vy))))
     _s14 = vz - ((_k20 * p_gravity) * t)
@@ -7955,32 +8011,32 @@ def _ring_step_alone(t: Any, end: Any, rate_margin: Any, ceiling: Any, x: Any, y
     _s27 = _k34 if _s26 < _k34 else _s26
     _s28 = _k33 * (_s27 + (_k33 * _s25))
     _s29 = _s22 - _s5
-    _s30 = _k214 * p_gravity
+    _s30 = _k215 * p_gravity
     _s31 = _s30 * _s20
     _s32 = moment2 * (_s17 * (_s17 * _s17))
     _s33 = (_s31 + _s32) - energy2
     _s34 = _s29 < _k34
     _s35 = _k33 * _s27
-    _s36 = _k36 if (_k34 < (_s27 if (_k34 <= _s29) else _k34)) else (((_s35 + (_k220 * _s25)) if _s34 else (_k164 * _s29)) / ((-_s29) if _s34 else (_s33 if _k34 < _s33 else _k34)))
+    _s36 = _k36 if (_k34 < (_s27 if (_k34 <= _s29) else _k34)) else (((_s35 + (_k221 * _s25)) if _s34 else (_k167 * _s29)) / ((-_s29) if _s34 else (_s33 if _k34 < _s33 else _k34)))
     _s37 = end - t
     _s38 = _s36 if _s36 < _s37 else _s37
-    _s39 = _k187 * _s24
-    _s40 = ((_k191 * p_ball_radius) + (_k191 * p_wire_radius)) + ((_s38 * (_k34 if _s21 < _k34 else _s21)) + _s20)
+    _s39 = _k188 * _s24
+    _s40 = ((_k192 * p_ball_radius) + (_k192 * p_wire_radius)) + ((_s38 * (_k34 if _s21 < _k34 else _s21)) + _s20)
     _s41 = _s30 * (_s39 if _s39 < _s40 else _s40)
     _s42 = (abs(vx) + abs(vy)) * _s38
-    _s43 = (((_s38 * (_k34 if _k34 < _s18 else _s18)) + _s9) - (_k191 * _s42)) - (_k161 * (p_ring_radius + _s39))
+    _s43 = (((_s38 * (_k34 if _k34 < _s18 else _s18)) + _s9) - (_k192 * _s42)) - (_k164 * (p_ring_radius + _s39))
     _s44 = p_ring_radius - _s39
-    _s45 = _k191 * p_ring_radius
+    _s45 = _k192 * p_ring_radius
     _s46 = _s45 if _s44 < _s45 else _s44
-    _s47 = _k142 / (_s46 if _s43 < _s46 else _s43)
+    _s47 = _k145 / (_s46 if _s43 < _s46 else _s43)
     _s48 = moment2 * (_s47 * (_s47 * _s47))
     _s49 = abs(energy2)
-    _s50 = ((_s41 + _s48) + (_k221 * ((_s48 + _s49) + abs(_s41)))) - energy2
+    _s50 = ((_s41 + _s48) + (_k222 * ((_s48 + _s49) + abs(_s41)))) - energy2
     _s51 = -_s21
-    _s52 = (_s30 * (((_k194 * p_ball_radius) + (_k194 * p_wire_radius)) + (((p_gravity * _s38) + (_k34 if _s51 < _k34 else _s51)) * _s38))) + ((_k222 * (_s32 * _s17)) * _s42)
-    _s53 = energy2 + (_s52 + (_k194 * ((_s49 + abs(_s31)) + _s32)))
+    _s52 = (_s30 * (((_k195 * p_ball_radius) + (_k195 * p_wire_radius)) + (((p_gravity * _s38) + (_k34 if _s51 < _k34 else _s51)) * _s38))) + ((_k223 * (_s32 * _s17)) * _s42)
+    _s53 = energy2 + (_s52 + (_k195 * ((_s49 + abs(_s31)) + _s32)))
     _s54 = (_s53 - _s31) - _s32
-    _s55 = ((_s23 * _s23) - ((_k220 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k34 < _s23) else _s23
+    _s55 = ((_s23 * _s23) - ((_k221 * _s28) * ((_s54 if _s50 < _s54 else _s50) if (_s28 <= (_s23 * _s38)) else ceiling))) if (_k34 < _s23) else _s23
     _s56 = _k34 < _s55
     _s57 = ((_k33 * _s50) * _s27) + (_s29 * _s29)
     _s58 = _root(_s57)
@@ -8006,10 +8062,10 @@ def _ring_started_alone(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_rin
 def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     _s0 = speed + (p_gravity * horizon)
     _s1 = share * (extent + (horizon * _s0))
-    _s2 = _k175 * (p_ball_radius + p_wire_radius)
-    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k223 * (p_ring_radius + _s2))
+    _s2 = _k178 * (p_ball_radius + p_wire_radius)
+    _s3 = ((position_error + (horizon * velocity_error)) - _s1) - (_k224 * (p_ring_radius + _s2))
     _s4 = p_ring_radius - _s2
-    _s5 = _k176 * p_ring_radius
+    _s5 = _k179 * p_ring_radius
     _s6 = _s2 / (_s5 if _s4 < _s5 else _s4)
     _s7 = (position_error + ((_k0 * horizon) * velocity_error)) - _s1
     _s8 = ((_s0 * (_s6 if _k1 < _s6 else _k1)) * (_s3 if _s7 < _s3 else _s7)) + (_s2 * (velocity_error - (share * _s0)))
@@ -8017,7 +8073,7 @@ def _ring_coarse_excess_alone(share: Any, horizon: Any, extent: Any, speed: Any,
 
 
 def _ring_budget_exceeded_alone(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
-    _s0 = (_k177 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
+    _s0 = (_k180 * p_ring_radius) - (p_ring_radius - (p_ball_radius + p_wire_radius))
     _s1 = _k1 / p_gravity
     _s2 = _root(_k44) * _root((_s1 * (((_k44 * p_ball_radius) + (_k44 * p_wire_radius)) + extent)))
     _s3 = _s2 + ((_k44 * speed) * _s1)
@@ -8112,15 +8168,15 @@ def _ring_round_moved_alone(p_ball_radius: Any, p_ring_radius: Any, p_wire_radiu
     _s9 = _s3 * _s8
     _s10 = p_ball_radius + p_wire_radius
     _s11 = p_ring_radius + (_s9 * _s10)
-    _s12 = t * ((_k239 * omega_9) + (t * ((_k240 * omega_10) + ((_k241 * t) * omega_11))))
+    _s12 = t * ((_k240 * omega_9) + (t * ((_k241 * omega_10) + ((_k242 * t) * omega_11))))
     _s13 = (_k99 * omega_6) + (t * ((_k60 * omega_7) + (t * ((_k103 * omega_8) + _s12))))
     _s14 = (_k56 * omega_3) + (t * ((_k93 * omega_4) + (t * ((_k97 * omega_5) + (t * _s13)))))
     _s15 = omega_0 + (t * ((_k0 * omega_1) + (t * ((_k89 * omega_2) + (t * _s14)))))
     _s16 = t * _s15
     _s17 = _s16 * _s16
-    _s18 = ((_k237 + (((_k238 * _s17) - _k242) * _s17)) * _s17) - _k243
-    _s19 = _k1 + ((((_k236 + (_s18 * _s17)) * _s17) - _k0) * _s17)
-    _s20 = _k244 + ((((_k245 - (_k246 * _s17)) * _s17) - _k247) * _s17)
+    _s18 = ((_k238 + (((_k239 * _s17) - _k243) * _s17)) * _s17) - _k244
+    _s19 = _k1 + ((((_k237 + (_s18 * _s17)) * _s17) - _k0) * _s17)
+    _s20 = _k245 + ((((_k246 - (_k247 * _s17)) * _s17) - _k248) * _s17)
     _s21 = _s16 * (_k1 + (((_s20 * _s17) - _k97) * _s17))
     _s22 = (cos_0 * _s19) - (sin_0 * _s21)
     _s23 = (cos_0 * _s21) + (sin_0 * _s19)
@@ -8159,19 +8215,19 @@ def _ring_round_step_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p
     _s11 = omega_0 * omega_0
     _s12 = (_k74 * _s10) * (_k48 * _s11)
     _s13 = _s12 * _s12
-    _s14 = _s4 * ((abs(cosine_12) + abs(sine_12)) + (_k254 * (_s13 * _s13)))
-    _s15 = _root(_root(((_k254 * _s4) / (_s14 if _s9 < _s14 else _s9))))
+    _s14 = _s4 * ((abs(cosine_12) + abs(sine_12)) + (_k255 * (_s13 * _s13)))
+    _s15 = _root(_root(((_k255 * _s4) / (_s14 if _s9 < _s14 else _s9))))
     _s16 = _root(_root(_s15))
-    _s17 = (_k253 * _s16) * _root(_root(_s16))
+    _s17 = (_k254 * _s16) * _root(_root(_s16))
     _s18 = _s17 * (_s17 * _s17)
     _s19 = ((_s18 + (_k44 * _s15)) / ((_k44 * _s18) + _s15)) * _s17
     _s20 = _s19 if _s19 < _k61 else _k61
     _s21 = abs(climb_10)
-    _s22 = (((((_k43 * _s7) * _s20) + (_k255 * _s5)) * _s20) + (_k256 * _s21)) * _s20
+    _s22 = (((((_k43 * _s7) * _s20) + (_k256 * _s5)) * _s20) + (_k257 * _s21)) * _s20
     _s23 = abs(climb_9)
     _s24 = abs(climb_8)
     _s25 = abs(climb_7)
-    _s26 = ((((_s22 + (_k257 * _s23)) * _s20) + (_k59 * _s24)) * _s20) + (_k101 * _s25)
+    _s26 = ((((_s22 + (_k258 * _s23)) * _s20) + (_k59 * _s24)) * _s20) + (_k101 * _s25)
     _s27 = abs(climb_6)
     _s28 = abs(climb_5)
     _s29 = abs(climb_4)
@@ -8215,8 +8271,8 @@ def _ring_round_step_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p
     _s67 = abs(along_1)
     _s68 = (((((_s65 * _s20) + _s66) * _s20) + _s67) * _s20) + _s2
     _s69 = (_s1 * _s38) + _s68
-    _s70 = (((((_k43 * _s8) * _s20) + (_k255 * _s6)) * _s20) + (_k256 * _s55)) * _s20
-    _s71 = ((((_s70 + (_k257 * _s56)) * _s20) + (_k59 * _s58)) * _s20) + (_k101 * _s59)
+    _s70 = (((((_k43 * _s8) * _s20) + (_k256 * _s6)) * _s20) + (_k257 * _s55)) * _s20
+    _s71 = ((((_s70 + (_k258 * _s56)) * _s20) + (_k59 * _s58)) * _s20) + (_k101 * _s59)
     _s72 = (((((_s71 * _s20) + (_k6 * _s60)) * _s20) + (_k96 * _s62)) * _s20) + (_k74 * _s63)
     _s73 = (((((_s72 * _s20) + (_k87 * _s64)) * _s20) + (_k44 * _s66)) * _s20) + _s67
     _s74 = (climb_0 * climb_0) * _s1
@@ -8224,7 +8280,7 @@ def _ring_round_step_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p
     _s76 = p_inertia * (_k1 / (_k1 + p_inertia))
     _s77 = p_gravity * (_k87 - (_k44 * _s76))
     _s78 = _k87 * p_ring_radius
-    _s79 = (((((_k255 * _s40) * _s20) + (_k256 * _s41)) * _s20) + (_k257 * _s42)) * _s20
+    _s79 = (((((_k256 * _s40) * _s20) + (_k257 * _s41)) * _s20) + (_k258 * _s42)) * _s20
     _s80 = ((((_s79 + (_k59 * _s43)) * _s20) + (_k101 * _s45)) * _s20) + (_k6 * _s46)
     _s81 = (((((_s80 * _s20) + (_k96 * _s47)) * _s20) + (_k74 * _s49)) * _s20) + (_k87 * _s50)
     _s82 = _s38 * _s20
@@ -8245,18 +8301,18 @@ def _ring_round_pulled_alone(p_gravity: Any, p_inertia: Any, turn_rate_0: Any, t
     _s3 = _s0 * (cosine_0 * _s2)
     _s4 = _s3 * (_s0 * ((cosine_0 * ((turn_rate_0 * omega_1) + (turn_rate_1 * omega_0))) + (cosine_1 * _s2)))
     _s5 = _k44 * ((_s1 * (_s0 * ((turn_rate_0 * climb_1) + (turn_rate_1 * climb_0)))) + _s4)
-    return (_s1 * _s1) + (_s3 * _s3), _s5, _k132, _k2
+    return (_s1 * _s1) + (_s3 * _s3), _s5, _k135, _k2
 
 
 def _ring_swung_alone(p_ball_radius: Any, p_gravity: Any, p_wire_radius: Any, which: Any, undecided_time: Any, position_error: Any, velocity_error: Any, force: Any, force_rate: Any, force_bend: Any, stride: Any, fastest: Any, circled: Any, climb: Any, climb_0: Any, section_acceleration: Any, azimuth_clearance: Any) -> tuple[Any, ...]:
     _s0 = p_ball_radius + p_wire_radius
     _s1 = stride * stride
-    _s2 = ((_k177 * _s0) < (azimuth_clearance - ((_k60 * section_acceleration) * _s1))) and ((_k259 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
+    _s2 = ((_k180 * _s0) < (azimuth_clearance - ((_k60 * section_acceleration) * _s1))) and ((_k260 * p_gravity) < ((force + (stride * (force_rate if force_rate < _k2 else _k2))) - ((_k0 * force_bend) * _s1)))
     _s3 = _s2 and (which == _k67)
     _s4 = ((climb * climb_0) < _k2) and (((_k68 * p_gravity) * stride) < (abs((climb - climb_0)) * _s0))
     _s5 = (_s3 and _s4) and (_k2 < circled)
     _s6 = p_gravity + ((fastest * fastest) * (_k1 / _s0))
-    _s7 = not ((_s6 * (_k260 * ((position_error * _s6) + (velocity_error * fastest)))) < ((_k177 * (p_gravity * p_gravity)) * _s0))
+    _s7 = not ((_s6 * (_k261 * ((position_error * _s6) + (velocity_error * fastest)))) < ((_k180 * (p_gravity * p_gravity)) * _s0))
     return (_k1 if _s4 else circled) if _s3 else _k2, _s5, _k2 if (_s5 and _s7) else undecided_time
 
 
@@ -8392,9 +8448,9 @@ def _ring_round_9_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s4 = (((((climb_0 * _s3) + (climb_1 * omega_8)) + (climb_2 * omega_7)) + (climb_3 * omega_6)) + (climb_4 * omega_5)) + (climb_5 * omega_4)
     _s5 = (((_s4 + (climb_6 * omega_3)) + (climb_7 * omega_2)) + (climb_8 * omega_1)) + (climb_9 * omega_0)
     _s6 = (((((climb_0 * sine_9) + (climb_1 * sine_8)) + (climb_2 * sine_7)) + (climb_3 * sine_6)) + (climb_4 * sine_5)) + (climb_5 * sine_4)
-    _s7 = _k239 * ((((_s6 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
+    _s7 = _k240 * ((((_s6 + (climb_6 * sine_3)) + (climb_7 * sine_2)) + (climb_8 * sine_1)) + (climb_9 * sine_0))
     _s8 = (((((climb_0 * cosine_9) + (climb_1 * cosine_8)) + (climb_2 * cosine_7)) + (climb_3 * cosine_6)) + (climb_4 * cosine_5)) + (climb_5 * cosine_4)
-    _s9 = _k239 * ((((_s8 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
+    _s9 = _k240 * ((((_s8 + (climb_6 * cosine_3)) + (climb_7 * cosine_2)) + (climb_8 * cosine_1)) + (climb_9 * cosine_0))
     _s10 = _k1 / (_k1 + p_inertia)
     _s11 = (((((omega_0 * tilted_9) + (omega_1 * tilted_8)) + (omega_2 * tilted_7)) + (omega_3 * tilted_6)) + (omega_4 * tilted_5)) + (omega_5 * tilted_4)
     _s12 = ((p_gravity * cosine_9) * _s10) + ((((_s11 + (omega_6 * tilted_3)) + (omega_7 * tilted_2)) + (omega_8 * tilted_1)) + (tilted_0 * _s3))
@@ -8404,7 +8460,7 @@ def _ring_round_9_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ri
     _s16 = (p_inertia * _s10) * ((((_s15 + (turn_rate_6 * climb_3)) + (turn_rate_7 * climb_2)) + (turn_rate_8 * climb_1)) + (turn_rate_9 * climb_0))
     _s17 = (((((cosine_0 * _s5) + (cosine_1 * around_8)) + (cosine_2 * around_7)) + (cosine_3 * around_6)) + (cosine_4 * around_5)) + (cosine_5 * around_4)
     _s18 = (p_ring_radius * _s10) * ((((_s17 + (cosine_6 * around_3)) + (cosine_7 * around_2)) + (cosine_8 * around_1)) + (cosine_9 * around_0))
-    return _s3, _s5, -_s7, _s9, -((_k239 * per_reach) * _s12), _k239 * (_s14 - _s16), (_k239 * p_ring_radius) * _s5, _k239 * (_s18 + (_s0 * _s5))
+    return _s3, _s5, -_s7, _s9, -((_k240 * per_reach) * _s12), _k240 * (_s14 - _s16), (_k240 * p_ring_radius) * _s5, _k240 * (_s18 + (_s0 * _s5))
 
 
 def _ring_round_10_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, along_10: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any) -> tuple[Any, ...]:
@@ -8427,7 +8483,7 @@ def _ring_round_10_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_r
     _s16 = ((((_s15 + (turn_rate_6 * climb_4)) + (turn_rate_7 * climb_3)) + (turn_rate_8 * climb_2)) + (turn_rate_9 * climb_1)) + (turn_rate_10 * climb_0)
     _s17 = (((((cosine_0 * _s5) + (cosine_1 * around_9)) + (cosine_2 * around_8)) + (cosine_3 * around_7)) + (cosine_4 * around_6)) + (cosine_5 * around_5)
     _s18 = ((((_s17 + (cosine_6 * around_4)) + (cosine_7 * around_3)) + (cosine_8 * around_2)) + (cosine_9 * around_1)) + (cosine_10 * around_0)
-    return _s3, _s5, -(_k240 * _s7), _k240 * _s9, -((_k240 * per_reach) * (((p_gravity * cosine_10) * _s10) + _s12)), _k240 * ((_s0 * _s14) - ((p_inertia * _s10) * _s16)), (_k240 * p_ring_radius) * _s5, _k240 * (((p_ring_radius * _s10) * _s18) + (_s0 * _s5))
+    return _s3, _s5, -(_k241 * _s7), _k241 * _s9, -((_k241 * per_reach) * (((p_gravity * cosine_10) * _s10) + _s12)), _k241 * ((_s0 * _s14) - ((p_inertia * _s10) * _s16)), (_k241 * p_ring_radius) * _s5, _k241 * (((p_ring_radius * _s10) * _s18) + (_s0 * _s5))
 
 
 def _ring_round_11_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_radius: Any, p_wire_radius: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, turn_rate_9: Any, turn_rate_10: Any, turn_rate_11: Any, near_0: Any, climb_0: Any, climb_1: Any, climb_2: Any, climb_3: Any, climb_4: Any, climb_5: Any, climb_6: Any, climb_7: Any, climb_8: Any, climb_9: Any, climb_10: Any, climb_11: Any, cosine_0: Any, cosine_1: Any, cosine_2: Any, cosine_3: Any, cosine_4: Any, cosine_5: Any, cosine_6: Any, cosine_7: Any, cosine_8: Any, cosine_9: Any, cosine_10: Any, cosine_11: Any, sine_0: Any, sine_1: Any, sine_2: Any, sine_3: Any, sine_4: Any, sine_5: Any, sine_6: Any, sine_7: Any, sine_8: Any, sine_9: Any, sine_10: Any, sine_11: Any, along_11: Any, omega_0: Any, omega_1: Any, omega_2: Any, omega_3: Any, omega_4: Any, omega_5: Any, omega_6: Any, omega_7: Any, omega_8: Any, omega_9: Any, omega_10: Any, around_0: Any, around_1: Any, around_2: Any, around_3: Any, around_4: Any, around_5: Any, around_6: Any, around_7: Any, around_8: Any, around_9: Any, around_10: Any, tilted_0: Any, tilted_1: Any, tilted_2: Any, tilted_3: Any, tilted_4: Any, tilted_5: Any, tilted_6: Any, tilted_7: Any, tilted_8: Any, tilted_9: Any, tilted_10: Any, tilted_11: Any) -> tuple[Any, ...]:
@@ -8451,7 +8507,7 @@ def _ring_round_11_alone(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_r
     _s17 = ((((_s16 + (turn_rate_6 * climb_5)) + (turn_rate_7 * climb_4)) + (turn_rate_8 * climb_3)) + (turn_rate_9 * climb_2)) + (turn_rate_10 * climb_1)
     _s18 = (((((cosine_0 * _s6) + (cosine_1 * around_10)) + (cosine_2 * around_9)) + (cosine_3 * around_8)) + (cosine_4 * around_7)) + (cosine_5 * around_6)
     _s19 = ((((_s18 + (cosine_6 * around_5)) + (cosine_7 * around_4)) + (cosine_8 * around_3)) + (cosine_9 * around_2)) + (cosine_10 * around_1)
-    return _s3, _s6, -(_k241 * (_s8 + (climb_11 * sine_0))), _k241 * (_s10 + (climb_11 * cosine_0)), -((_k241 * per_reach) * (((p_gravity * cosine_11) * _s11) + (_s13 + (tilted_0 * _s3)))), _k241 * ((_s0 * (_s15 + (sine_11 * around_0))) - ((p_inertia * _s11) * (_s17 + (turn_rate_11 * climb_0)))), (_k241 * p_ring_radius) * _s6, _k241 * (((p_ring_radius * _s11) * (_s19 + (cosine_11 * around_0))) + (_s0 * _s6))
+    return _s3, _s6, -(_k242 * (_s8 + (climb_11 * sine_0))), _k242 * (_s10 + (climb_11 * cosine_0)), -((_k242 * per_reach) * (((p_gravity * cosine_11) * _s11) + (_s13 + (tilted_0 * _s3)))), _k242 * ((_s0 * (_s15 + (sine_11 * around_0))) - ((p_inertia * _s11) * (_s17 + (turn_rate_11 * climb_0)))), (_k242 * p_ring_radius) * _s6, _k242 * (((p_ring_radius * _s11) * (_s19 + (cosine_11 * around_0))) + (_s0 * _s6))
 
 
 def _ring_enter_alone(t: Any, end: Any, after: Any, low0: Any, low1: Any, low2: Any, high0: Any, high1: Any, high2: Any) -> tuple[Any, ...]:
@@ -8491,7 +8547,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s7 = p_ball_radius + p_board_half_width
     _s8 = _s7 if _s7 < _s2 else _s2
     _s9 = _s6 if _s6 < _s8 else _s8
-    _s10 = _k274 * _s9
+    _s10 = _k275 * _s9
     _s11 = _s2 + _s10
     _s12 = p_board_distance + _s1
     _s13 = _s12 + x
@@ -8515,7 +8571,7 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s31 = _s30 if _s21 < _s30 else _s21
     _s32 = _s22 + (_s25 * (_s23 - _s24))
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = (_s27 * (vz + _s28)) if _s29 else _k132
+    _s34 = (_s27 * (vz + _s28)) if _s29 else _k135
     _s35 = _k2 < _s32
     _s36 = (_s27 * (vz - _s33)) if _s35 else _s34
     _s37 = (_s18 - _s19) / _s17
@@ -8530,11 +8586,11 @@ def _backboard_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: 
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k44 * (((_k275 * abs((-p_gravity))) * (p_ball_radius + (_k176 * _s9))) + (_k87 * (_s48 * _s48)))
+    _s49 = _k44 * (((_k276 * abs((-p_gravity))) * (p_ball_radius + (_k179 * _s9))) + (_k87 * (_s48 * _s48)))
     _s50 = _s7 if _s2 < _s7 else _s2
     _s51 = ((_s12 + extent) + abs((_s5 + _s3))) + (_s6 if _s50 < _s6 else _s50)
     _s52 = (_root(_k44) * _root((_s27 * (_s51 + _s9)))) + ((_k44 * speed) * _s27)
-    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k186 * (((speed * speed) * _s27) + _s51))) + ((earliest_delay * (speed + (p_gravity * horizon))) if ((_k44 * pad) < earliest_delay) else _k2)
+    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k132 * (((speed * speed) * _s27) + _s51))) + ((earliest_delay * (speed + (p_gravity * horizon))) if ((_k44 * pad) < earliest_delay) else _k2)
     return _s31 if _k2 < _s31 else _k2, _s41 if _s41 < horizon else horizon, _s43 if _k2 < _s43 else _k2, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53 - (_k41 * _s9)
 
 
@@ -8543,21 +8599,21 @@ def _backboard_margins_alone(horizon: Any, extent: Any, speed: Any, position_err
     _s1 = p_ball_radius + p_board_half_width
     _s2 = p_ball_radius + (_k0 * p_board_thickness)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (_k176 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k179 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
     _s7 = _k63 * _s6
     _s8 = _k44 * ((position_error + (horizon * velocity_error)) + (_k18 * _s6))
-    _s9 = ((_k282 * p_board_half_width) + _s7) + _s8
-    _s10 = _k281 * _s4
-    _s11 = (((_k282 * p_board_distance) + (_k63 * p_board_thickness)) + (_k282 * _s6)) + _s8
+    _s9 = ((_k283 * p_board_half_width) + _s7) + _s8
+    _s10 = _k282 * _s4
+    _s11 = (((_k283 * p_board_distance) + (_k63 * p_board_thickness)) + (_k283 * _s6)) + _s8
     _s12 = (((_k63 * abs(p_board_bottom)) + (_k63 * abs(p_board_top))) + _s7) + _s8
-    _s13 = ((((_k280 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k283 * horizon) * _s4) * _s5)
-    _s14 = _k286 * _s5
-    _s15 = ((((_k284 * _s4) * _s5) + ((_k285 * _s4) * (velocity_error + (_k282 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k281 * _s5
-    _s17 = ((((_k287 * _s4) * _s5) + ((_k288 * _s4) * (velocity_error + (_k63 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k283 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s13 = ((((_k281 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k284 * horizon) * _s4) * _s5)
+    _s14 = _k287 * _s5
+    _s15 = ((((_k285 * _s4) * _s5) + ((_k286 * _s4) * (velocity_error + (_k283 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k282 * _s5
+    _s17 = ((((_k288 * _s4) * _s5) + ((_k289 * _s4) * (velocity_error + (_k63 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k284 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _backboard_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -8631,7 +8687,7 @@ def _backboard_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_m
     _s34 = p_ball_radius + p_board_half_width
     _s35 = p_ball_radius + (_k0 * p_board_thickness)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (_k176 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k179 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
     _s40 = _k2 if _s39 < _k2 else _s39
@@ -8815,7 +8871,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s7 = _s2 - _s6
     _s8 = _s5 if _s5 < _s7 else _s7
     _s9 = _s4 if _s4 < _s8 else _s8
-    _s10 = _k274 * _s9
+    _s10 = _k275 * _s9
     _s11 = (_s2 + _s10) - _s6
     _s12 = _s6 + _s1
     _s13 = _s12 + x
@@ -8839,7 +8895,7 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s31 = _s30 if _s21 < _s30 else _s21
     _s32 = _s22 + (_s25 * (_s24 - _s23))
     _s33 = _root((_k2 if _s32 < _k2 else _s32))
-    _s34 = (_s27 * (vz + _s28)) if _s29 else _k132
+    _s34 = (_s27 * (vz + _s28)) if _s29 else _k135
     _s35 = _k2 < _s32
     _s36 = (_s27 * (vz - _s33)) if _s35 else _s34
     _s37 = (_s18 - _s19) / _s17
@@ -8854,11 +8910,11 @@ def _bridge_prepare_alone(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any
     _s46 = _s44 if _s45 < _s44 else _s45
     _s47 = _s46 if _s46 < horizon else horizon
     _s48 = speed + (p_gravity * _s47)
-    _s49 = _k44 * (((_k275 * abs((-p_gravity))) * (p_ball_radius + (_k176 * _s9))) + (_k87 * (_s48 * _s48)))
+    _s49 = _k44 * (((_k276 * abs((-p_gravity))) * (p_ball_radius + (_k179 * _s9))) + (_k87 * (_s48 * _s48)))
     _s50 = _s5 if _s7 < _s5 else _s7
     _s51 = ((_s12 + extent) + abs((_s3 - p_wire_radius))) + (_s4 if _s50 < _s4 else _s50)
     _s52 = (_root(_k44) * _root((_s27 * (_s51 + _s9)))) + ((_k44 * speed) * _s27)
-    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k186 * (((speed * speed) * _s27) + _s51))) + ((earliest_delay * (speed + (p_gravity * horizon))) if ((_k44 * pad) < earliest_delay) else _k2)
+    _s53 = ((position_error + (velocity_error * (_s52 if _s52 < horizon else horizon))) + (_k132 * (((speed * speed) * _s27) + _s51))) + ((earliest_delay * (speed + (p_gravity * horizon))) if ((_k44 * pad) < earliest_delay) else _k2)
     return _s31 if _k2 < _s31 else _k2, _s41 if _s41 < horizon else horizon, _s43 if _k2 < _s43 else _k2, _s44 if _s44 < horizon else horizon, _s49, _s47, _s53 - (_k41 * _s9)
 
 
@@ -8867,21 +8923,21 @@ def _bridge_margins_alone(horizon: Any, extent: Any, speed: Any, position_error:
     _s1 = p_ball_radius + p_bridge_half_width
     _s2 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s3 = _s1 if _s1 < _s2 else _s2
-    _s4 = p_ball_radius + (_k176 * (_s0 if _s0 < _s3 else _s3))
+    _s4 = p_ball_radius + (_k179 * (_s0 if _s0 < _s3 else _s3))
     _s5 = speed + (p_gravity * horizon)
     _s6 = extent + (horizon * _s5)
     _s7 = _k63 * _s6
     _s8 = _k44 * ((position_error + (horizon * velocity_error)) + (_k18 * _s6))
-    _s9 = ((_k282 * p_bridge_half_width) + _s7) + _s8
-    _s10 = _k281 * _s4
+    _s9 = ((_k283 * p_bridge_half_width) + _s7) + _s8
+    _s10 = _k282 * _s4
     _s11 = (((_k58 * p_ring_radius) + (_k58 * p_board_distance)) + _s7) + _s8
-    _s12 = (((_k290 * p_wire_radius) + (_k63 * p_bridge_depth)) + (_k282 * _s6)) + _s8
-    _s13 = ((((_k280 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k283 * horizon) * _s4) * _s5)
-    _s14 = _k286 * _s5
-    _s15 = ((((_k284 * _s4) * _s5) + ((_k285 * _s4) * (velocity_error + (_k282 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
-    _s16 = _k281 * _s5
-    _s17 = ((((_k287 * _s4) * _s5) + ((_k288 * _s4) * (velocity_error + (_k63 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
-    return _s13 + (_k283 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
+    _s12 = (((_k291 * p_wire_radius) + (_k63 * p_bridge_depth)) + (_k283 * _s6)) + _s8
+    _s13 = ((((_k281 * (p_ball_radius * p_ball_radius)) + (_s10 * _s9)) + (_s10 * _s11)) + (_s10 * _s12)) + (((_k284 * horizon) * _s4) * _s5)
+    _s14 = _k287 * _s5
+    _s15 = ((((_k285 * _s4) * _s5) + ((_k286 * _s4) * (velocity_error + (_k283 * _s5)))) + (_s14 * _s9)) + (_s14 * _s11)
+    _s16 = _k282 * _s5
+    _s17 = ((((_k288 * _s4) * _s5) + ((_k289 * _s4) * (velocity_error + (_k63 * _s5)))) + (_s16 * _s9)) + (_s16 * _s11)
+    return _s13 + (_k284 * (_s4 * _s4)), _s15 + (_s14 * _s12), _s17 + (_s16 * _s12)
 
 
 def _bridge_refine_alone(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -8955,7 +9011,7 @@ def _bridge_advance_alone(t: Any, end: Any, leaving: Any, margin: Any, rate_marg
     _s34 = p_ball_radius + p_bridge_half_width
     _s35 = (p_ball_radius + (_k0 * p_board_distance)) - (_k0 * p_ring_radius)
     _s36 = _s34 if _s34 < _s35 else _s35
-    _s37 = p_ball_radius + (_k176 * (_s33 if _s33 < _s36 else _s36))
+    _s37 = p_ball_radius + (_k179 * (_s33 if _s33 < _s36 else _s36))
     _s38 = _s29 - rate_margin
     _s39 = _s27 - margin
     _s40 = _k2 if _s39 < _k2 else _s39
@@ -9159,15 +9215,15 @@ def _alone0(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, 
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k2, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _time_, = _arrival_time_alone(_arrival_)
     _when_, _which_ = _earliest_alone(_k2, _time_, _when_, _which_, _arrives_)
     return (_when_, _which_,)
@@ -9228,7 +9284,7 @@ def _alone4(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_b
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_,)
 
 
@@ -9268,15 +9324,15 @@ def _alone5(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_bottom_: 
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k1, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _time_, = _arrival_time_alone(_arrival_)
     _when_, _which_ = _earliest_alone(_k1, _time_, _when_, _which_, _arrives_)
     return (_when_, _which_,)
@@ -9306,7 +9362,7 @@ def _alone7(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_b
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_,)
 
 
@@ -9346,15 +9402,15 @@ def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k44, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _time_, = _arrival_time_alone(_arrival_)
     _when_, _which_ = _earliest_alone(_k44, _time_, _when_, _which_, _arrives_)
     return (_when_, _which_,)
@@ -9384,7 +9440,7 @@ def _alone10(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_,)
 
 
@@ -9782,20 +9838,20 @@ def _alone14(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_:
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k2, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _flat_, _tilt_, _rate_margin_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _margin_, = _own_margin_alone(_leaving_, _flat_, _tilt_, _arrival_)
     _clearance_, _delay_ = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
     _time_, = _arrival_time_alone(_arrival_)
-    _delay_, _undecided_time_ = _arrival_certainty_alone(_clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
+    _delay_, _undecided_time_ = _arrival_certainty_alone(_t_, _clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
     _undecided_time_, _earliest_delay_ = _tie_undecided_alone(_time_, _when_, _delay_, _earliest_delay_, _undecided_time_, _arrives_)
     _when_, _which_ = _earliest_alone(_k2, _time_, _when_, _which_, _arrives_)
     return (_earliest_delay_, _undecided_time_, _when_, _which_,)
@@ -9834,7 +9890,7 @@ def _alone16(_arrival_: Any, _certain_: Any, _extent_: Any, _last_: Any, _p_ball
         if _exhausted_:
             _t_, _end_, _searching_ = _ring_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
     _undecided_time_, = _predicate_undecided_alone(_t_, _undecided_time_, _searching_)
-    return (_arrival_, _ceiling_, _certain_, _flat_, _latest_, _rho_start_, _tilt_, _undecided_time_,)
+    return (_arrival_, _ceiling_, _certain_, _flat_, _latest_, _rho_start_, _t_, _tilt_, _undecided_time_,)
 
 
 def _alone17(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _energy2_: Any, _flat_: Any, _last_: Any, _moment2_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_slack_: Any, _rho_start_: Any, _searching_: Any, _share_: Any, _t_: Any, _tilt_: Any, _undecided_time_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _extent_: Any, _high0_: Any, _high1_: Any, _high2_: Any, _latest_: Any, _low0_: Any, _low1_: Any, _low2_: Any, _position_error_: Any, _speed_: Any, _velocity_error_: Any, _turns: Any) -> tuple[Any, ...]:
@@ -9863,7 +9919,7 @@ def _alone18(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_, _rate_,)
 
 
@@ -9907,20 +9963,20 @@ def _alone19(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_:
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k1, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _flat_, _tilt_, _rate_margin_ = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
     _margin_, = _own_margin_alone(_leaving_, _flat_, _tilt_, _arrival_)
     _clearance_, _delay_ = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
     _time_, = _arrival_time_alone(_arrival_)
-    _delay_, _undecided_time_ = _arrival_certainty_alone(_clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
+    _delay_, _undecided_time_ = _arrival_certainty_alone(_t_, _clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
     _undecided_time_, _earliest_delay_ = _tie_undecided_alone(_time_, _when_, _delay_, _earliest_delay_, _undecided_time_, _arrives_)
     _when_, _which_ = _earliest_alone(_k1, _time_, _when_, _which_, _arrives_)
     return (_earliest_delay_, _undecided_time_, _when_, _which_,)
@@ -9951,7 +10007,7 @@ def _alone21(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_, _rate_,)
 
 
@@ -9995,20 +10051,20 @@ def _alone22(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_:
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k44, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _flat_, _tilt_, _rate_margin_ = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
     _margin_, = _own_margin_alone(_leaving_, _flat_, _tilt_, _arrival_)
     _clearance_, _delay_ = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
     _time_, = _arrival_time_alone(_arrival_)
-    _delay_, _undecided_time_ = _arrival_certainty_alone(_clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
+    _delay_, _undecided_time_ = _arrival_certainty_alone(_t_, _clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
     _undecided_time_, _earliest_delay_ = _tie_undecided_alone(_time_, _when_, _delay_, _earliest_delay_, _undecided_time_, _arrives_)
     _when_, _which_ = _earliest_alone(_k44, _time_, _when_, _which_, _arrives_)
     return (_earliest_delay_, _undecided_time_, _when_, _which_,)
@@ -10039,7 +10095,7 @@ def _alone24(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_, _rate_,)
 
 
@@ -10697,14 +10753,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows19, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count20)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows19, _count2, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows21, _count22 = _most(_refining_1, _count2)
         if _count22:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows21, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count22)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows21, _count2, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows23, _count24 = _rows(_refining_1, _count2)
         if (0 < _count24) and (_count24 <= ALONE):
@@ -10716,7 +10772,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn25 in range(8):
                 _room_2 = room(_count24)
                 _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going26 = _where_true(_refining_2)
                 if len(_going26) == _count24:
                     continue
@@ -10829,14 +10885,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows43, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count44)
             _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows43, _count30, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows45, _count46 = _most(_refining_1, _count30)
         if _count46:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows45, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count46)
             _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows45, _count30, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows47, _count48 = _rows(_refining_1, _count30)
         if (0 < _count48) and (_count48 <= ALONE):
@@ -10848,7 +10904,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn49 in range(8):
                 _room_2 = room(_count48)
                 _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going50 = _where_true(_refining_2)
                 if len(_going50) == _count48:
                     continue
@@ -10962,14 +11018,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows67, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count68)
             _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows67, _count54, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows69, _count70 = _most(_refining_1, _count54)
         if _count70:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows69, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count70)
             _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows69, _count54, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows71, _count72 = _rows(_refining_1, _count54)
         if (0 < _count72) and (_count72 <= ALONE):
@@ -10981,7 +11037,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn73 in range(8):
                 _room_2 = room(_count72)
                 _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going74 = _where_true(_refining_2)
                 if len(_going74) == _count72:
                     continue
@@ -11474,7 +11530,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _put_on_1, = off_at_start(_mode_1)
         _rows17, _count18 = _rows(_put_on_1, _count12)
         if _count18:
-            _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _which_2, _x_2, _y_2, _z_2 = _taken(_rows17, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_ring_radius_1, _p_wire_radius_1, _which_1, _x_1, _y_1, _z_1)
+            _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows17, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count18)
             _gap_2, = ring_distance(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
             _here_2, = here(1.0, _which_2)
@@ -11499,7 +11555,8 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _room_3 = room(_count22)
                 _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                 _nx_2, _ny_2, _nz_2 = _put(_rows21, _count18, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
-            _nx_1, _ny_1, _nz_1, _x_1, _y_1, _z_1 = _put(_rows17, _count12, (_nx_1, _ny_1, _nz_1, _x_1, _y_1, _z_1,), (_nx_2, _ny_2, _nz_2, _x_2, _y_2, _z_2,))
+            _vx_2, _vy_2, _vz_2 = velocity_at_start(_p_ball_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _room_2)
+            _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1 = _put(_rows17, _count12, (_nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (_nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,))
         _nearly_1, = nearly(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _room_1)
         _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _bounce_1 = gripped(_p_ball_radius_1, _p_inertia_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _room_1)
         _here_1, = here(0.0, _which_1)
@@ -11507,6 +11564,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         if _count24:
             _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows23, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count24)
+            _, _, _, _per_reach_2 = ring_rolling_surface(_p_ball_radius_2, _p_wire_radius_2)
             _turning_x_2, _turning_y_2, _turning_z_2 = ring_turning(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -11517,7 +11575,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, _gap_jerk_2, *_ = ring_separation(_p_gravity_2, _p_ring_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _mode_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, 0.0, 0.0, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(0.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows23, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
         _here_1, = here(1.0, _which_1)
@@ -11525,6 +11583,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         if _count26:
             _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows25, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count26)
+            _, _, _, _per_reach_2 = backboard_rolling_surface(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _turning_x_2, _turning_y_2, _turning_z_2 = backboard_turning(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -11535,7 +11594,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, _gap_jerk_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _mode_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, 0.0, 0.0, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(1.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows25, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
         _here_1, = here(2.0, _which_1)
@@ -11543,6 +11602,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         if _count28:
             _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows27, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count28)
+            _, _, _, _per_reach_2 = bridge_rolling_surface(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _turning_x_2, _turning_y_2, _turning_z_2 = bridge_turning(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -11553,10 +11613,10 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, _gap_jerk_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _wx_2, _wy_2, _wz_2, 0.0, _mode_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, 0.0, 0.0, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(2.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows27, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
-        _held_0, _mode_0, _outcome_0, _slip_left_0, _x_0, _y_0, _z_0 = _put(_rows11, shots, (_held_0, _mode_0, _outcome_0, _slip_left_0, _x_0, _y_0, _z_0,), (_held_1, _mode_1, _outcome_1, _slip_left_1, _x_1, _y_1, _z_1,))
+        _held_0, _mode_0, _outcome_0, _slip_left_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows11, shots, (_held_0, _mode_0, _outcome_0, _slip_left_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_held_1, _mode_1, _outcome_1, _slip_left_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,))
     columns |= {"count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "first": _first_0, "held": _held_0, "last": _last_0, "mode": _mode_0, "outcome": _outcome_0, "slip_left": _slip_left_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }
 
 
@@ -11663,8 +11723,8 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _arrival_1, _t_1, _searching_1 = stepped(_arrival_1, _double(_short_t_1), _searching_1, _since_1, _single_precision_1, _certain_1)
         _rows9, _count10 = _rows(_searching_1, _count2)
         if (0 < _count10) and (_count10 <= ALONE):
-            _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1 = _copies(_count2, _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1)
-            _one_by_one(_alone16, _rows9, _rows9, (_arrival_1, _certain_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _undecided_time_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1,))
+            _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _t_1, _tilt_1, _undecided_time_1 = _copies(_count2, _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _t_1, _tilt_1, _undecided_time_1)
+            _one_by_one(_alone16, _rows9, _rows9, (_arrival_1, _certain_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _undecided_time_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _t_1, _tilt_1, _undecided_time_1,))
         elif _count10:
             _arrival_2, _certain_2, _extent_2, _last_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _share_2, _speed_2, _t_2, _undecided_time_2, _until_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows9, _arrival_1, _certain_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _undecided_time_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count10)
@@ -11723,7 +11783,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 else:
                     _store((_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), _rows11, (_arrival_3, _certain_3, _flat_3, _searching_3, _t_3, _tilt_3, _undecided_time_3,), None)
             _undecided_time_2, = predicate_undecided(_t_2, _undecided_time_2, _searching_2)
-            _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1 = _put(_rows9, _count2, (_arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1,), (_arrival_2, _ceiling_2, _certain_2, _flat_2, _latest_2, _rho_start_2, _tilt_2, _undecided_time_2,))
+            _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _t_1, _tilt_1, _undecided_time_1 = _put(_rows9, _count2, (_arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _t_1, _tilt_1, _undecided_time_1,), (_arrival_2, _ceiling_2, _certain_2, _flat_2, _latest_2, _rho_start_2, _t_2, _tilt_2, _undecided_time_2,))
         _arrives_1, _refining_1, _rate_1 = found(_arrival_1)
         _leaving_1, *_ = nearby(_arrival_1, _flat_1, _tilt_1, 0.0, _last_1)
         _rows19, _count20 = _most(_refining_1, _count2)
@@ -11731,14 +11791,14 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows19, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count20)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows19, _count2, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows21, _count22 = _most(_refining_1, _count2)
         if _count22:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows21, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count22)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows21, _count2, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows23, _count24 = _rows(_refining_1, _count2)
         if (0 < _count24) and (_count24 <= ALONE):
@@ -11750,7 +11810,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn25 in range(8):
                 _room_2 = room(_count24)
                 _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going26 = _where_true(_refining_2)
                 if len(_going26) == _count24:
                     continue
@@ -11770,7 +11830,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = arrival_time(_arrival_1)
-        _delay_1, _undecided_time_1 = arrival_certainty(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
+        _delay_1, _undecided_time_1 = arrival_certainty(_t_1, _clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
         _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1, _room_1)
         _when_1, _which_1 = earliest(0.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows1, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
@@ -11872,14 +11932,14 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows43, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count44)
             _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows43, _count30, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows45, _count46 = _most(_refining_1, _count30)
         if _count46:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows45, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count46)
             _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows45, _count30, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows47, _count48 = _rows(_refining_1, _count30)
         if (0 < _count48) and (_count48 <= ALONE):
@@ -11891,7 +11951,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn49 in range(8):
                 _room_2 = room(_count48)
                 _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going50 = _where_true(_refining_2)
                 if len(_going50) == _count48:
                     continue
@@ -11911,7 +11971,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = arrival_time(_arrival_1)
-        _delay_1, _undecided_time_1 = arrival_certainty(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
+        _delay_1, _undecided_time_1 = arrival_certainty(_t_1, _clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
         _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1, _room_1)
         _when_1, _which_1 = earliest(1.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows29, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
@@ -12014,14 +12074,14 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows67, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count68)
             _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows67, _count54, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows69, _count70 = _most(_refining_1, _count54)
         if _count70:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows69, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count70)
             _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows69, _count54, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows71, _count72 = _rows(_refining_1, _count54)
         if (0 < _count72) and (_count72 <= ALONE):
@@ -12033,7 +12093,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn73 in range(8):
                 _room_2 = room(_count72)
                 _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going74 = _where_true(_refining_2)
                 if len(_going74) == _count72:
                     continue
@@ -12053,7 +12113,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = arrival_time(_arrival_1)
-        _delay_1, _undecided_time_1 = arrival_certainty(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
+        _delay_1, _undecided_time_1 = arrival_certainty(_t_1, _clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
         _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1, _room_1)
         _when_1, _which_1 = earliest(2.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows53, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
@@ -12582,12 +12642,12 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _edge_0, _reached_0 = _choose(_here_0, (_edge_1, _reached_1,), (_edge_0, _reached_0,))
     _uncertain_0, = contact_undecided(_last_0, _when_0, _which_0, _earliest_delay_0, _undecided_time_0, _position_error_0, _velocity_error_0, _uncertain_0, _edge_0, _assured_0)
     _contacts_0, _outcome_0 = accounted(_contacts_0, _most_contacts_0, _reached_0, _touches_0)
-    columns |= {"body": _body_0, "circled": _circled_0, "clock": _clock_0, "contacts": _contacts_0, "dvx": _dvx_0, "dvy": _dvy_0, "dvz": _dvz_0, "dwx": _dwx_0, "dwy": _dwy_0, "dwz": _dwz_0, "dx": _dx_0, "dy": _dy_0, "dz": _dz_0, "earliest_delay": _earliest_delay_0, "ends": _ends_0, "grip_lost": _grip_lost_0, "held": _held_0, "hopped": _hopped_0, "last": _last_0, "last_grip_clock": _last_grip_clock_0, "last_grip_deficit": _last_grip_deficit_0, "last_grip_deficit_rate": _last_grip_deficit_rate_0, "limited": _limited_0, "mode": _mode_0, "outcome": _outcome_0, "position_error": _position_error_0, "rolls": _rolls_0, "through": _through_0, "touches": _touches_0, "uncertain": _uncertain_0, "velocity_error": _velocity_error_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "when": _when_0, "which": _which_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }
+    columns |= {"body": _body_0, "circled": _circled_0, "clock": _clock_0, "contacts": _contacts_0, "dvx": _dvx_0, "dvy": _dvy_0, "dvz": _dvz_0, "dwx": _dwx_0, "dwy": _dwy_0, "dwz": _dwz_0, "dx": _dx_0, "dy": _dy_0, "dz": _dz_0, "earliest_delay": _earliest_delay_0, "ends": _ends_0, "grip_lost": _grip_lost_0, "held": _held_0, "hopped": _hopped_0, "last": _last_0, "last_grip_clock": _last_grip_clock_0, "last_grip_deficit": _last_grip_deficit_0, "last_grip_deficit_rate": _last_grip_deficit_rate_0, "limited": _limited_0, "mode": _mode_0, "outcome": _outcome_0, "position_error": _position_error_0, "rolls": _rolls_0, "through": _through_0, "touches": _touches_0, "uncertain": _uncertain_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "when": _when_0, "which": _which_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }
 
 
 def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage resolve of the event loop, with bounds on errors."""
-    _assured_0, _body_0, _claims_0, _clock_0, _clock_bound_0, _clock_error_0, _contacts_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _ends_0, _estimated_0, _first_0, _frame_nx_0, _frame_ny_0, _frame_nz_0, _held_0, _hopped_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _limited_0, _mode_0, _outcome_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_restitution_speed_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_tangential_restitution_0, _p_wire_radius_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _position_error_0, _slip_left_0, _spin_bound_0, _touches_0, _turn_n_0, _turn_z_0, _uncertain_0, _velocity_bound_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("assured", "body", "claims", "clock", "clock_bound", "clock_error", "contacts", "count_0", "count_1", "count_2", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dx", "dy", "dz", "earliest_delay", "ends", "estimated", "first", "frame_nx", "frame_ny", "frame_nz", "held", "hopped", "last", "left_bend_e", "left_bend_s", "left_ex", "left_ey", "limited", "mode", "outcome", "p_backboard_friction", "p_backboard_restitution", "p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "p_bridge_depth", "p_bridge_friction", "p_bridge_half_width", "p_bridge_restitution", "p_end_depth", "p_gravity", "p_inertia", "p_restitution_speed", "p_ring_friction", "p_ring_radius", "p_ring_restitution", "p_tangential_restitution", "p_wire_radius", "pace_e", "pace_n", "pace_s", "place_e", "place_n", "place_s", "position_bound", "position_error", "slip_left", "spin_bound", "touches", "turn_n", "turn_z", "uncertain", "velocity_bound", "velocity_error", "vx", "vy", "vz", "when", "which", "wx", "wy", "wz", "x", "y", "z",))
+    _assured_0, _body_0, _claims_0, _clock_0, _clock_bound_0, _clock_error_0, _contacts_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _earliest_delay_0, _ends_0, _estimated_0, _first_0, _frame_nx_0, _frame_ny_0, _frame_nz_0, _held_0, _hopped_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _limited_0, _mode_0, _outcome_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_restitution_speed_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_tangential_restitution_0, _p_wire_radius_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _position_error_0, _slip_left_0, _spin_bound_0, _touches_0, _turn_n_0, _turn_z_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, = map(columns.__getitem__, ("assured", "body", "claims", "clock", "clock_bound", "clock_error", "contacts", "count_0", "count_1", "count_2", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dx", "dy", "dz", "earliest_delay", "ends", "estimated", "first", "frame_nx", "frame_ny", "frame_nz", "held", "hopped", "last", "left_bend_e", "left_bend_s", "left_ex", "left_ey", "limited", "mode", "outcome", "p_backboard_friction", "p_backboard_restitution", "p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "p_bridge_depth", "p_bridge_friction", "p_bridge_half_width", "p_bridge_restitution", "p_end_depth", "p_gravity", "p_inertia", "p_restitution_speed", "p_ring_friction", "p_ring_radius", "p_ring_restitution", "p_tangential_restitution", "p_wire_radius", "pace_e", "pace_n", "pace_s", "place_e", "place_n", "place_s", "position_bound", "position_error", "slip_left", "spin_bound", "touches", "turn_n", "turn_z", "uncertain", "velocity_bound", "vx", "vy", "vz", "when", "which", "wx", "wy", "wz", "x", "y", "z",))
     _meeting_0, = meeting(_claims_0, _ends_0, _touches_0)
     _slow_0, = slow_at_start(_mode_0)
     _rows1, _count2 = _rows(_meeting_0, shots)
@@ -12740,7 +12800,7 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _assured_0, _clock_bound_0, _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _estimated_0, _first_0, _frame_nx_0, _frame_ny_0, _frame_nz_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _slow_0, _spin_bound_0, _turn_n_0, _turn_z_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0 = _put(_rows1, shots, (_assured_0, _clock_bound_0, _clock_error_0, _count_0_0, _count_1_0, _count_2_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _estimated_0, _first_0, _frame_nx_0, _frame_ny_0, _frame_nz_0, _last_0, _left_bend_e_0, _left_bend_s_0, _left_ex_0, _left_ey_0, _pace_e_0, _pace_n_0, _pace_s_0, _place_e_0, _place_n_0, _place_s_0, _position_bound_0, _slow_0, _spin_bound_0, _turn_n_0, _turn_z_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0,), (_assured_1, _clock_bound_1, _clock_error_1, _count_0_1, _count_1_1, _count_2_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _estimated_1, _first_1, _frame_nx_1, _frame_ny_1, _frame_nz_1, _last_1, _left_bend_e_1, _left_bend_s_1, _left_ex_1, _left_ey_1, _pace_e_1, _pace_n_1, _pace_s_1, _place_e_1, _place_n_1, _place_s_1, _position_bound_1, _slow_1, _spin_bound_1, _turn_n_1, _turn_z_1, _uncertain_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1,))
     _rows33, _count34 = _rows(_slow_0, shots)
     if _count34:
-        _assured_1, _dx_1, _dy_1, _dz_1, _held_1, _mode_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _slip_left_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows33, _assured_0, _dx_0, _dy_0, _dz_0, _held_0, _mode_0, _outcome_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_wire_radius_0, _slip_left_0, _uncertain_0, _velocity_error_0, _vx_0, _vy_0, _vz_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
+        _assured_1, _clock_bound_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _held_1, _mode_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _position_bound_1, _slip_left_1, _spin_bound_1, _uncertain_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1 = _taken(_rows33, _assured_0, _clock_bound_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _held_0, _mode_0, _outcome_0, _p_backboard_friction_0, _p_backboard_restitution_0, _p_ball_radius_0, _p_board_bottom_0, _p_board_distance_0, _p_board_half_width_0, _p_board_thickness_0, _p_board_top_0, _p_bridge_depth_0, _p_bridge_friction_0, _p_bridge_half_width_0, _p_bridge_restitution_0, _p_end_depth_0, _p_gravity_0, _p_inertia_0, _p_ring_friction_0, _p_ring_radius_0, _p_ring_restitution_0, _p_wire_radius_0, _position_bound_0, _slip_left_0, _spin_bound_0, _uncertain_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _which_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
         _room_1 = room(_count34)
         _estimated_1, = estimates()
         _nx_1, _ny_1, _nz_1 = ring_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _room_1)
@@ -12761,7 +12821,7 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _put_on_1, = off_at_start(_mode_1)
         _rows39, _count40 = _rows(_put_on_1, _count34)
         if _count40:
-            _dx_2, _dy_2, _dz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _which_2, _x_2, _y_2, _z_2 = _taken(_rows39, _dx_1, _dy_1, _dz_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_ring_radius_1, _p_wire_radius_1, _which_1, _x_1, _y_1, _z_1)
+            _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _uncertain_2, _vx_2, _vy_2, _vz_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows39, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_ring_radius_1, _p_wire_radius_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count40)
             _gap_2, = ring_distance(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
             _here_2, = here(1.0, _which_2)
@@ -12787,14 +12847,19 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _room_3 = room(_count44)
                 _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
                 _nx_2, _ny_2, _nz_2 = _put(_rows43, _count40, (_nx_2, _ny_2, _nz_2,), (_nx_3, _ny_3, _nz_3,), _here_2)
-            _dx_1, _dy_1, _dz_1, _nx_1, _ny_1, _nz_1, _x_1, _y_1, _z_1 = _put(_rows39, _count34, (_dx_1, _dy_1, _dz_1, _nx_1, _ny_1, _nz_1, _x_1, _y_1, _z_1,), (_dx_2, _dy_2, _dz_2, _nx_2, _ny_2, _nz_2, _x_2, _y_2, _z_2,))
+            _uncertain_2, = undecided_at_start(_p_ball_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _uncertain_2, _room_2)
+            _dvx_2, _dvy_2, _dvz_2 = start_velocity_errors(_p_ball_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _dvx_2, _dvy_2, _dvz_2, _room_2)
+            _vx_2, _vy_2, _vz_2 = velocity_at_start(_p_ball_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _room_2)
+            _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _nx_1, _ny_1, _nz_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1 = _put(_rows39, _count34, (_dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _nx_1, _ny_1, _nz_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (_dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2, _nx_2, _ny_2, _nz_2, _uncertain_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,))
         _nearly_1, = nearly(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _room_1)
         _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _bounce_1 = gripped(_p_ball_radius_1, _p_inertia_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _room_1)
+        _position_error_1, _velocity_error_1, *_ = error_bounds(_clock_error_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _double(_position_bound_1), _double(_velocity_bound_1), _double(_spin_bound_1), _estimated_1, _double(_clock_bound_1), _room_1)
         _here_1, = here(0.0, _which_1)
         _rows45, _count46 = _most(_here_1, _count34)
         if _count46:
-            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows45, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _position_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows45, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _position_error_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count46)
+            _, _, _, _per_reach_2 = ring_rolling_surface(_p_ball_radius_2, _p_wire_radius_2)
             _turning_x_2, _turning_y_2, _turning_z_2 = ring_turning(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -12805,14 +12870,15 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, _gap_jerk_2, *_ = ring_separation(_p_gravity_2, _p_ring_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _mode_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _position_error_2, _velocity_error_2, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(0.0, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows45, _count34, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
         _here_1, = here(1.0, _which_1)
         _rows47, _count48 = _most(_here_1, _count34)
         if _count48:
-            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows47, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows47, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count48)
+            _, _, _, _per_reach_2 = backboard_rolling_surface(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _turning_x_2, _turning_y_2, _turning_z_2 = backboard_turning(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -12823,14 +12889,15 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, _gap_jerk_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _mode_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _position_error_2, _velocity_error_2, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(1.0, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows47, _count34, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
         _here_1, = here(2.0, _which_1)
         _rows49, _count50 = _most(_here_1, _count34)
         if _count50:
-            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows49, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows49, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count50)
+            _, _, _, _per_reach_2 = bridge_rolling_surface(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _turning_x_2, _turning_y_2, _turning_z_2 = bridge_turning(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
             _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = isolated()
@@ -12841,10 +12908,10 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, _gap_jerk_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _wx_2, _wy_2, _wz_2, _velocity_error_2, _mode_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _position_error_2, _velocity_error_2, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
             _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(2.0, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows49, _count34, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
-        _assured_0, _dx_0, _dy_0, _dz_0, _estimated_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0, _x_0, _y_0, _z_0 = _put(_rows33, shots, (_assured_0, _dx_0, _dy_0, _dz_0, _estimated_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0, _x_0, _y_0, _z_0,), (_assured_1, _dx_1, _dy_1, _dz_1, _estimated_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1, _x_1, _y_1, _z_1,))
+        _assured_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _estimated_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows33, shots, (_assured_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _estimated_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_assured_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _estimated_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,))
     _rows51, _count52 = _rows(_limited_0, shots)
     if _count52:
         _claims_1, _clock_1, _clock_bound_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _position_bound_1, _spin_bound_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows51, _claims_0, _clock_0, _clock_bound_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _p_gravity_0, _position_bound_0, _spin_bound_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)

@@ -31,6 +31,31 @@ def holds(bounds: Function, state: Sequence[Number], values: list[arb]) -> bool 
     return None if None in sides else True
 
 
+def stays_in(region: Function, path: Sequence[Number], values: list[arb]) -> bool | None:
+    """Return whether a ball is in the region of a part of a box right after the start of a path.
+
+    None if that is undecided. On the edge of two parts it is in the one that it moves to.
+
+    Parameters
+    ----------
+    region
+        (position, parameters) to polynomials, none of which is positive there.
+    path
+        The polynomials of the position.
+    values
+        The kernels' inputs.
+    """
+    sides = [_side_after(bound) for bound in region(path, values)]
+    if 1 in sides:
+        return False
+    return None if None in sides else True
+
+
+def _side_after(bound: Number) -> int | None:
+    """Return the sign of a polynomial at small positive times."""
+    return next((side for side in map(sign, bound.coeffs()) if side != 0), 0)
+
+
 def arrival_at(
     formulas: Formulas,
     index: int,
@@ -56,7 +81,8 @@ def arrival_at(
     values
         The kernels' inputs.
     zeros
-        The number of roots at t = 0, which are divided out.
+        The number of roots at t = 0, which are divided out. With three, the ball leaves the
+        surface: the third coefficient vanishes to roundings alone, and the gap opens.
     latest
         The time up to which arrivals matter, s.
     """
@@ -64,6 +90,7 @@ def arrival_at(
     closed = piece.exact and surface.flat
     if not zeros and piece.is_aside(surface, values):
         return None
+    leaves, zeros = zeros > 2, min(zeros, 2)
     coefficients = surface.condition(piece.path, values)[0].coeffs()
     while zeros < len(coefficients) and sign(coefficients[zeros]) == 0:
         zeros += 1
@@ -73,14 +100,16 @@ def arrival_at(
     moving = sign(rest[0])
     if moving is None and (zeros or not closed):
         return possible_from(arb(0))
-    if moving == -1 and zeros:
-        entering = _check_bounds(surface, piece, values, Arrival(arb(0)))
+    if moving == -1 and zeros and not leaves:
+        entering = None
+        if stays_in(surface.region, piece.path, values) is not False:
+            entering = _check_bounds(surface, piece, values, Arrival(arb(0)))
         if entering is not None or closed:
             return entering
     if closed:
         arrival = descent(rest, moving)
         return None if arrival is None else _check_bounds(surface, piece, values, arrival)
-    if moving == -1 and not surface.bounded and index < formulas.faces:
+    if moving == -1 and not (leaves or surface.bounded) and index < formulas.faces:
         raise AssertionError(f"the ball is inside the {surface.name}")
     return _first(surface, piece, values, rest, moving == -1, latest)
 

@@ -32,6 +32,14 @@ def box_parts(surface: Surface) -> tuple[Surface, ...]:
     return tuple(_part(surface, side) for side in sides)
 
 
+def region(part: Surface) -> tuple[sp.Expr, ...]:
+    """Return polynomials that are not positive where a part of a box is the nearest one."""
+    if isinstance(part, _TurnedPart):
+        return tuple(_turned(limit, part.box) for limit in region(part.part))
+    assert isinstance(part, Plane | Sphere | Cylinder)
+    return part.limits
+
+
 def _part(box: Box, side: tuple[int, ...]) -> Surface:
     limits: list[sp.Expr] = []
     corner: list[sp.Expr] = []

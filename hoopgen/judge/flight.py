@@ -25,6 +25,7 @@ from .error_set import condensed
 from .formulas import Formulas, SurfaceFormulas
 from .pieces import Piece, meets_nothing, next_piece
 from .roots import Undecided
+from .start import left_by, put_on
 from .taylor_model import Number, TaylorModel, as_model, ball
 from .validity import valid
 
@@ -126,8 +127,9 @@ def _follow(
 ) -> None:
     """Add event after event."""
     last = left_by(formulas, flown.state, values, leaving)
-    if last >= 0:
-        flown.state = _put_on(formulas, formulas.surfaces[last], flown.state, values)
+    vanishing = 1
+    if last >= 0 and formulas.surfaces[last].allows_rolling:
+        flown.state, vanishing = put_on(formulas, formulas.surfaces[last], flown.state, values)
     variables = max(len(as_model(component).slopes) for component in flown.state)
     own = formulas.passage
     sizes = None if own is None else own(values)
@@ -137,8 +139,8 @@ def _follow(
         if through is None:
             raise Undecided("whether the ball passes the ring's disc")
         start = flown.state
-        # How many low coefficients of the event polynomial of the last surface vanish.
-        vanishing = 2 if flown.events and _stops(formulas.surfaces[last], flown, values) else 1
+        if flown.events:
+            vanishing = 2 if _stops(formulas.surfaces[last], flown, values) else 1
         remaining = None if math.isinf(time_limit) else arb(time_limit) - flown.time
         found = None
         if len(flown.events) < len(known):
@@ -197,47 +199,6 @@ def _through(
         else:
             found = passage.after_piece(found, sizes, piece.path, time)
     return found
-
-
-def _put_on(
-    formulas: Formulas, surface: SurfaceFormulas, state: list[Number], values: list[arb]
-) -> list[Number]:
-    """Return the state of a ball that starts on a surface, as `derive.rolling.start` places it."""
-    if formulas.hop is None or not surface.allows_rolling:
-        return state
-    normal = surface.normal(state, values)
-    off = surface.distance(state, values)[0] / sum((n * n for n in normal), arb(0)).sqrt()
-    place = [p - off * n for p, n in zip(state[:3], normal, strict=True)]
-    if surface.axis >= 0:
-        place[surface.axis] = surface.offset(values)[0]
-    return place + state[3:]
-
-
-def left_by(formulas: Formulas, state: list[Number], values: list[arb], leaving: int) -> int:
-    """Return the surface that the ball leaves: of the parts of a body, the nearest in its bounds.
-
-    Parameters
-    ----------
-    formulas
-        The formulas of the scene.
-    state
-        The state, nine balls.
-    values
-        The kernels' inputs.
-    leaving
-        The body that the ball leaves, or -1.
-    """
-    own = [k for k, surface in enumerate(formulas.surfaces) if surface.body == leaving]
-    within = [
-        k
-        for k in own
-        if any(holds(p, state, values) is not False for p in formulas.surfaces[k].patches)
-    ]
-
-    def away(k: int) -> float:
-        return abs(float(formulas.surfaces[k].distance(state, values)[0].mid()))
-
-    return min(within or own, key=away, default=-1)
 
 
 def _stops(surface: SurfaceFormulas, flown: ProvedFlight, values: list[arb]) -> bool:

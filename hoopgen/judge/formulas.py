@@ -10,6 +10,7 @@ import sympy as sp
 
 from hoopgen.derive.contact.no_slip import NoSlip
 from hoopgen.derive.rolling.settling import small_hop
+from hoopgen.derive.rolling.start import start_limits
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.scenes.validity import condition_scales, size_limits, without_assumptions
@@ -28,7 +29,7 @@ from hoopgen.derive.symbolic.symbols import (
 )
 
 from .air import AirFormulas, air_formulas
-from .box_parts import box_parts, box_solid
+from .box_parts import box_parts, box_solid, region
 from .expressions import Function, compile_expressions
 
 ARRIVAL = sp.Symbol("arrival_speed", positive=True)
@@ -45,6 +46,9 @@ class SurfaceFormulas:
         As in derive/.
     condition
         The polynomial that is zero at a contact and positive outside, as a list of one.
+    region
+        Of a part of a box, polynomials that are not positive where it is the nearest part; no other
+        surface has any.
     patches
         The g of Eq. 2, by part: a contact counts where all of one part hold.
     normal
@@ -76,6 +80,7 @@ class SurfaceFormulas:
 
     name: str
     condition: Function
+    region: Function
     patches: tuple[Function, ...]
     normal: Function
     inside: Function
@@ -123,6 +128,9 @@ class Formulas:
     hop
         (state, parameters, normal): of a ball that leaves a surface, two numbers of which the first
         is less where the hop is too small to be told from rolling; None where no ball rolls.
+    start
+        (state, parameters): the speed and the force per unit mass along the normal below which
+        those of a ball that starts on a surface are roundings; None where no ball rolls.
     passage
         (parameters,) to radius and depth of the scene's passage and gravity; None without one.
     requirements
@@ -147,6 +155,7 @@ class Formulas:
     flight: Function | None
     air: AirFormulas | None
     hop: Function | None
+    start: Function | None
     passage: Function | None
     requirements: Function
     ball_radius: int
@@ -158,7 +167,9 @@ class Formulas:
     scales: Function
 
 
-def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFormulas:
+def _surface(
+    surface: Surface, face: int, body: int, is_part: bool, scene: Scene
+) -> SurfaceFormulas:
     place, motion = (*POSITION, *VELOCITY), scene.symbols
     axis, offset = -1, sp.Integer(0)
     if isinstance(surface, Plane):
@@ -185,6 +196,7 @@ def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFor
     return SurfaceFormulas(
         surface.name,
         by_state([surface.condition]),
+        by_state(region(surface) if is_part else ()),
         tuple(by_state(patch) for patch in surface.patches),
         by_state(list(surface.normal)),
         by_state(surface.inside),
@@ -223,6 +235,13 @@ def _hop(scene: Scene) -> Function | None:
     return compile_expressions(sides, (*POSITION, *VELOCITY, *SPIN), scene.symbols, NORMAL)
 
 
+def _start(scene: Scene) -> Function | None:
+    if not scene.rolls:
+        return None
+    limits = start_limits(scene.flight.strength, scene.ball_radius)
+    return compile_expressions(limits, (*POSITION, *VELOCITY, *SPIN), scene.symbols)
+
+
 def _order(surfaces: Sequence[SurfaceFormulas]) -> tuple[tuple[int, ...], ...]:
     bodies: dict[int, list[int]] = {}
     for k in sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0):
@@ -236,12 +255,12 @@ def formulas(scene: Scene = HOOP) -> Formulas:
     parameters = scene.symbols
     faces = zip(scene.surfaces, scene.faces, strict=True)
     touched = [
-        (part, face, body)
+        (part, face, body, isinstance(surface, Box))
         for face, (surface, body) in enumerate(faces)
         for part in box_parts(surface)
     ]
     gates = [
-        (end_plane, len(scene.surfaces) + k, len(scene.bodies))
+        (end_plane, len(scene.surfaces) + k, len(scene.bodies), False)
         for k, end_plane in enumerate(scene.end_planes)
     ]
     surfaces = tuple(_surface(*place, scene) for place in (*touched, *gates))
@@ -265,6 +284,7 @@ def formulas(scene: Scene = HOOP) -> Formulas:
         _parabola(scene),
         None if scene.air is None else air_formulas(scene),
         _hop(scene),
+        _start(scene),
         None
         if passage is None
         else compile_expressions([*passage.sizes, scene.gravity], parameters),

@@ -97,7 +97,7 @@ def next_piece(formulas: Formulas, state: Sequence[Number], values: list[arb]) -
     Parameters
     ----------
     formulas, state, values
-        As for `hoopgen.judge.flight.left_by`.
+        As for `hoopgen.judge.start.left_by`.
 
     Raises
     ------
@@ -119,7 +119,7 @@ def meets_nothing(formulas: Formulas, state: Sequence[Number], values: list[arb]
     Parameters
     ----------
     formulas, state, values
-        As for `hoopgen.judge.flight.left_by`.
+        As for `hoopgen.judge.start.left_by`.
     """
     air = formulas.air
     if air is None:

@@ -7,6 +7,7 @@ changed. What it would replace must be there: a fault that no longer applies fai
 from __future__ import annotations
 
 import inspect
+import sys
 import textwrap
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
@@ -36,11 +37,11 @@ Run = Callable[[NDArray[np.float64], list[Any], int, ResultArrays], None]
 
 
 def changed(function: Any, old: str, new: str) -> Any:
-    """Return the function or property with `old` replaced in its text."""
+    """Return the function, the property or the class with `old` replaced in its text."""
     inner = function.fget if isinstance(function, property) else function
     source = textwrap.dedent(inspect.getsource(inner))
     assert old in source, f"{inner.__name__} has no {old!r}"
-    namespace = dict(inner.__globals__)
+    namespace = dict(vars(sys.modules[inner.__module__]))
     exec("from __future__ import annotations\n" + source.replace(old, new), namespace)
     return namespace[inner.__name__]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import pytest
@@ -14,15 +15,26 @@ from hoopgen.derive.rolling import (
     events,
     jump,
     meeting,
+    settling,
+    stages,
 )
 from hoopgen.derive.scenes import validity
 
 pytest.importorskip("flint")
 
+from hoopgen import Event
+from hoopgen.judge import earliest, flight
 from tests.derive.rolling import test_jump, test_successor
 from tests.helpers.checked_faults import OfEngine, OfFormulas, Planted, cases, passing, tripping
 from tests.helpers.mutants import in_decisions, in_text, in_tree
-from tests.scene import test_edges, test_green, test_into_plate, test_starts_on_bodies, test_tiles
+from tests.scene import (
+    test_edges,
+    test_going_on,
+    test_green,
+    test_into_plate,
+    test_starts_on_bodies,
+    test_tiles,
+)
 
 pytestmark = [pytest.mark.xdist_group("edge_mutations"), pytest.mark.slow]
 
@@ -100,6 +112,18 @@ behind_shell = OfEngine(
 )
 without_bounds = OfEngine(
     test_starts_on_bodies.check_errors_without_bounds, scene=test_starts_on_bodies.SUPERBALL
+)
+after_impact = OfFormulas(test_going_on.check_the_judge_of_records, ((Event.IMPACT,),))
+after_leave = OfFormulas(test_going_on.check_the_judge_of_records, ((Event.LEAVE,),))
+unpressed = OfEngine(
+    test_going_on.test_a_contact_without_restitution_where_nothing_presses_the_ball_on_is_undecided,
+    given=((0.6,), (math.inf,)),
+    scene=test_going_on.SHAPES,
+)
+tiny_hops = OfEngine(
+    test_going_on.test_the_time_of_a_tiny_hop_from_a_start_is_within_its_error,
+    given=(("ring", (4.52, 0, 0.16), (0.6, 0, 0.8)),),
+    scene=test_going_on.SHAPES,
 )
 on_edge = OfFormulas(
     test_jump.test_at_an_edge_the_velocity_is_off_by_the_change_of_the_force_times_the_delay,
@@ -369,6 +393,41 @@ FAULTS = (
         "a ball is on all surfaces of the body that it leaves",
         in_text(validity, "_with_surface", "if several:  #", "if False:  #"),
         off_body,
+    ),
+    Planted(
+        "bounces end with the errors before the contact",
+        in_text(stages, "settled", ', Call(common["error_bounds"])]', "]"),
+        unpressed,
+    ),
+    Planted(
+        "whether a ball without a bounce is pressed on is sure",
+        in_text(settling, "settling", "                        undecided_press,\n", ""),
+        unpressed,
+    ),
+    Planted(
+        "the judge takes roundings of a velocity along a body for one into it",
+        in_text(flight, "put_on", "if not _is_small(outward,", "if True or not _is_small(outward,"),
+        after_impact,
+    ),
+    Planted(
+        "the judge takes roundings of a force that has vanished for one onto the body",
+        in_text(flight, "put_on", "DEPARTS if opens > 0 else 2", "2"),
+        after_leave,
+    ),
+    Planted(
+        "the judge has a ball that leaves a part of a box touch it again",
+        in_text(
+            earliest,
+            "arrival_at",
+            "if stays_in(surface.region,",
+            "if True or stays_in(surface.region,",
+        ),
+        after_leave,
+    ),
+    Planted(
+        "a return that is not certain is as late as where its search stands",
+        in_decisions(predicates, "Or(certain, all_of(Less(0, leaving), Less(rate, 0)))", "certain"),
+        tiny_hops,
     ),
     Planted(
         "a surface takes no ball over nearly",

@@ -254,7 +254,12 @@ FAULTS = (
     ),
     Planted(
         "a root that is not certain is no sooner than computed",
-        in_decisions(searching, "Choose(certain, time - delay, time)", "time"),
+        in_decisions(searching, "Choose(certain, time - delay, minimum(t, time))", "time"),
+        sooner,
+    ),
+    Planted(
+        "an open root is no sooner than where it was refined to",
+        in_decisions(searching, "minimum(t, time)", "time"),
         sooner,
     ),
     Planted(

@@ -16,7 +16,7 @@ from hoopgen.derive.events import predicates as searching
 from hoopgen.derive.events.box import BoxRootFinder
 from hoopgen.derive.events.ring.double import RingRootFinder
 from hoopgen.derive.events.ring.single import SinglePrecisionRing
-from hoopgen.derive.rolling import events, settling
+from hoopgen.derive.rolling import contact_phase, events, settling
 from hoopgen.derive.surfaces import Box
 from hoopgen.derive.surfaces.oblique_box import ObliqueBox
 
@@ -45,7 +45,8 @@ beside = OfKernels(
     contact.test_beside_a_body_that_is_nearer_than_the_bounces_go_a_ball_is_undecided,
 )
 pressing = OfKernels(
-    contact.test_a_pressing_force_is_undecided_within_the_error_of_the_velocity,
+    contact.test_a_force_is_undecided_within_the_errors_of_the_state,
+    (("press",), ("lift",)),
 )
 last_bounce = OfKernels(
     contact.test_the_last_bounce_is_undecided_within_the_error_of_the_velocity,
@@ -62,6 +63,19 @@ friction = OfKernels(
 parting = OfKernels(
     contact.test_a_ball_that_starts_where_its_force_vanishes_leaves_if_the_gap_opens,
     ((1e-12, 0.5), (1e-12, 1e18)),
+)
+entering = OfKernels(
+    contact.test_a_ball_that_starts_with_a_velocity_into_the_surface_hits_it,
+)
+near_departure = OfKernels(
+    contact.test_whether_the_force_at_the_start_is_one_of_roundings_is_undecided_near_the_limit,
+)
+along = OfKernels(
+    contact.test_a_ball_that_starts_along_a_surface_has_no_last_bounce_to_decide,
+)
+along_at_start = OfKernels(
+    contact.test_a_velocity_off_the_surface_of_roundings_is_taken_away_at_the_start,
+    ((1,), (-1,)),
 )
 force = OfKernels(
     contact.test_a_force_near_zero_is_undecided_within_the_errors_of_the_state, EACH_ERROR
@@ -90,6 +104,8 @@ windows = OfFormulas(
 )
 
 in_settling = partial(in_text, settling, "settling")
+in_force = partial(in_text, settling, "_undecided_force")
+in_start = partial(in_text, settling, "Start")
 in_surfaces = partial(in_text, events, "_other_surfaces")
 
 turned_within = OfFormulas(
@@ -190,17 +206,17 @@ FAULTS = (
     ),
     Planted(
         "which surface a ball touches first at the end of its bounces is sure",
-        in_settling("                all_of(stays, still, Not(isolated)),\n", ""),
+        in_settling("                        all_of(stays, still, Not(isolated)),\n", ""),
         beside,
     ),
     Planted(
         "a force that hardly presses is sure",
-        in_settling("                undecided_press,\n", ""),
+        in_settling("                        undecided_press,\n", ""),
         pressing,
     ),
     Planted(
         "the last bounce is sure",
-        in_settling("                undecided_bounce,\n", ""),
+        in_settling("                        undecided_bounce,\n", ""),
         last_bounce,
     ),
     Planted(
@@ -220,35 +236,94 @@ FAULTS = (
     ),
     Planted(
         "a ball that starts where its contact ends is pressed on by a rounding",
-        in_text(settling, "parts_at_start", "AtMost(absolute(lift), small)", "AtMost(0, lift)"),
+        in_start("AtMost(force, force_limit)", "AtMost(0, lift)"),
         parting,
     ),
     Planted(
         "a ball leaves the body that it starts on though the gap does not open",
-        in_text(settling, "parts_at_start", "        Less(0, gap_jerk),\n", ""),
+        in_start("all_of(self.along, Less(0, gap_jerk))", "self.along"),
         parting,
     ),
     Planted(
         "a ball parts where its force vanishes also at the end of bounces",
-        in_text(settling, "parts_at_start", "        Equal(mode, STARTS),\n", ""),
+        in_start("all_of(Equal(mode, STARTS), AtMost(bounce", "all_of(AtMost(bounce"),
         parting,
     ),
     Planted(
         "a ball that starts where its contact ends settles",
-        in_settling("Or(isolated, still), Not(parts))", "Or(isolated, still))"),
+        in_settling("Or(isolated, still), Not(start.departs))", "Or(isolated, still))"),
         parting,
     ),
     Planted(
         "a ball that starts where its contact ends slides",
-        in_settling("all_of(slides, Not(parts))", "slides"),
+        in_settling("all_of(slides, Not(start.departs))", "slides"),
         parting,
     ),
     Planted(
         "a ball that starts where its contact ends is undecided about the force on it",
         in_settling(
-            "                Not(parts),\n            ),\n        },", "            ),\n        },"
+            "                    Not(start.departs),\n                ),", "                ),"
         ),
         parting,
+    ),
+    Planted(
+        "whether a ball is pressed on has no error of the place",
+        in_force("pull * position_error + speed", "speed"),
+        pressing,
+    ),
+    Planted(
+        "whether a ball is pressed on has no error of the velocity",
+        in_force("+ speed * velocity_error", ""),
+        pressing,
+    ),
+    Planted(
+        "whether a ball is pressed on has no rounding",
+        in_force("sp.Rational(1, 2**48) * pull", "0"),
+        pressing,
+    ),
+    Planted(
+        "whether a ball that slips is pressed on is sure",
+        in_force("AtMost(absolute(lift), error)", "false"),
+        pressing,
+    ),
+    # At the start.
+    Planted(
+        "a ball that starts with a velocity into its body leaves it",
+        in_settling("AtMost(0, lift), Not(start.enters))", "AtMost(0, lift))"),
+        entering,
+    ),
+    Planted(
+        "a ball enters its body also after a contact",
+        in_start(
+            "all_of(Equal(mode, STARTS), Less(speed_limit / 2, inward))",
+            "Less(speed_limit / 2, inward)",
+        ),
+        entering,
+    ),
+    Planted(
+        "a force at the start near the limit of roundings is sure",
+        in_settling("                start.may_depart,\n", "                false,\n"),
+        near_departure,
+    ),
+    Planted(
+        "the last bounce of a ball that starts along its body is undecided",
+        in_settling("        Not(start.along),\n", ""),
+        along,
+    ),
+    Planted(
+        "the velocity off the body at the start is kept",
+        in_text(contact_phase, "start_kernels", "str(v): v - rounding_off * n", "str(v): v"),
+        along_at_start,
+    ),
+    Planted(
+        "a velocity along the body at the start has no error",
+        in_text(contact_phase, "start_kernels", "IfLess(d, 0, -slack, slack)", "0"),
+        along_at_start,
+    ),
+    Planted(
+        "whether the velocity off the body at the start is a rounding is sure",
+        in_text(contact_phase, "start_kernels", "Choose(near_limit, 1, uncertain)", "uncertain"),
+        along_at_start,
     ),
     # Rolling.
     Planted(
