@@ -9,10 +9,10 @@ from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 
 from hoopgen.judge.arrivals import arrival_at
-from hoopgen.judge.flight import left_by
 from hoopgen.judge.formulas import Formulas, SurfaceFormulas, formulas
 from hoopgen.judge.pieces import Piece, next_piece
 from hoopgen.judge.roots import sign_variations
+from hoopgen.judge.start import left_by
 
 AUDIT_BITS = 128
 

@@ -167,8 +167,6 @@ _falling = any_of(Less(rate, 0), all_of(AtMost(rate, rate_margin), Less(bend, 0)
 _clears = all_of(_falling, Less(0, clearance))
 _strikes = all_of(_falling, any_of(AtMost(gap - margin, margin), Less(0, clearance)))
 _unclear = all_of(_strikes, Not(_clears), Less(0, share))
-# Bounces that end on this surface for certain are not flagged, whatever is uncertain of a return.
-_refines = Or(certain, all_of(Less(0, leaving), Less(rate, 0)))
 _grazes = all_of(AtMost(0, apex), AtMost(absolute(height), margin))
 _graze_delay = 3 * sp.sqrt(barrier(margin / barrier(IfLess(0, absolute(bend), absolute(bend), 1))))
 _still = all_of(Less(t, end), Not(Less(t, following)))
@@ -177,6 +175,24 @@ _lands = all_of(met, arrives)
 _at_start = all_of(_lands, AtMost(t, 0), AtMost(leaving, 0))
 _near = all_of(Equal(last, index), Less(tilt * t, flat))
 _exhausted = all_of(Not(hit), Not(needs_refinement), AtMost(end - t, step))
+
+
+def _refined(refines: sp.Basic) -> dict[str, sp.Basic]:
+    """Return the outputs of the decision that takes Newton's next value where a condition holds."""
+    distant = Less(CONVERGED * rate**2, ceiling * absolute(gap))
+    return {"arrival": Choose(refines, refined, arrival), "refining": all_of(refines, distant)}
+
+
+def _certainty(since: sp.Expr) -> dict[str, sp.Basic]:
+    """Return the outputs of the decision on an arrival; an uncertain one may be since then."""
+    sound = all_of(certain, Less(0, clearance))
+    return {
+        "delay": Choose(sound, delay, 0),
+        "undecided_time": earlier(
+            all_of(arrives, Not(sound)), Choose(certain, time - delay, since)
+        ),
+    }
+
 
 KERNELS = {
     kernel.name: kernel
@@ -407,11 +423,13 @@ KERNELS = {
         ),
         decision(
             "refined_root",
-            {
-                "arrival": Choose(_refines, refined, arrival),
-                "refining": all_of(_refines, Less(CONVERGED * rate**2, ceiling * absolute(gap))),
-            },
-            "A certain root or a return, refined; whether h is above 2^-24, so that it is again.",
+            _refined(certain),
+            "A certain root, refined, and whether h is above 2^-24, so that it is refined again.",
+        ),
+        decision(
+            "refined_return",
+            _refined(Or(certain, all_of(Less(0, leaving), Less(rate, 0)))),
+            "The same, also of a return that is not certain.",
         ),
         decision(
             "own_margin",
@@ -430,15 +448,13 @@ KERNELS = {
         ),
         decision(
             "arrival_certainty",
-            {
-                "delay": Choose(all_of(certain, Less(0, clearance)), delay, 0),
-                "undecided_time": earlier(
-                    all_of(arrives, Not(all_of(certain, Less(0, clearance)))),
-                    Choose(certain, time - delay, minimum(t, time)),
-                ),
-            },
-            "Delay of a certain arrival; the earliest undecided time, with where the search of any "
-            "other one stands.",
+            _certainty(time),
+            "Delay of a certain arrival; the earliest undecided time, with that of any other one.",
+        ),
+        decision(
+            "return_certainty",
+            _certainty(minimum(t, time)),
+            "The same, if an arrival that is not certain may have been refined.",
         ),
         decision(
             "outside",

@@ -426,12 +426,17 @@ def _passing_step(
 
 
 def _landing(common: Parts, own: Parts, index: Value, *, passes: bool) -> Iterator[Node]:
-    """Refine the root that was found, with the shot's own errors."""
+    """Refine the root that was found, with the shot's own errors.
+
+    Bounces that end on this surface for certain are not flagged, whatever is uncertain of a return:
+    where balls roll, it is refined, too.
+    """
+    rolls = "in_contact" in common
     yield Call(KERNELS["found"])
     yield Call(KERNELS["nearby"], {"index": index, "t": "arrival"})
     newton = (
         Call(own["refine"], {"t": "arrival"}, {"time": "refined"}),
-        Call(KERNELS["refined_root"]),
+        Call(KERNELS["refined_return" if rolls else "refined_root"]),
     )
     # Most roots need two steps, so lanes are not compacted for these.
     usual = _tested(own)
@@ -444,4 +449,4 @@ def _landing(common: Parts, own: Parts, index: Value, *, passes: bool) -> Iterat
         yield Call(KERNELS["behind"])
     yield Call(common["crossing"])
     yield Call(KERNELS["arrival_time"])
-    yield Call(KERNELS["arrival_certainty"])
+    yield Call(KERNELS["return_certainty" if rolls else "arrival_certainty"])

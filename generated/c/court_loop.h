@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation b90b8028038b604d,
+   Generated from templates/c/loop.h.j2, scene court, derivation ba8efae2d0966445,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -4287,9 +4287,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                     EACH(GET, _ring_refine_1, rate)
 #endif
-                    CALL(court_refined_root, _refined_root_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
-                    EACH(SELECT, (_if_refining_1, _refined_root_1), arrival)
-                    EACH(SELECT_MASK, (_if_refining_1, _refined_root_1), refining)
+                    CALL(court_refined_return, _refined_return_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
+                    EACH(SELECT, (_if_refining_1, _refined_return_1), arrival)
+                    EACH(SELECT_MASK, (_if_refining_1, _refined_return_1), refining)
                 }
                 const M _if_refining_2 = lanes_both(rows, refining);
                 if (LANES_USUAL(_if_refining_2)) {
@@ -4301,9 +4301,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                     EACH(GET, _ring_refine_2, rate)
 #endif
-                    CALL(court_refined_root, _refined_root_2)(leaving, gap, rate, ceiling, arrival, refined, certain);
-                    EACH(SELECT, (_if_refining_2, _refined_root_2), arrival)
-                    EACH(SELECT_MASK, (_if_refining_2, _refined_root_2), refining)
+                    CALL(court_refined_return, _refined_return_2)(leaving, gap, rate, ceiling, arrival, refined, certain);
+                    EACH(SELECT, (_if_refining_2, _refined_return_2), arrival)
+                    EACH(SELECT_MASK, (_if_refining_2, _refined_return_2), refining)
                 }
                 EACH(STORE, , arrival)
                 EACH(STORE_MASK, , arrives)
@@ -4358,8 +4358,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 CALL(court_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(7), FIXED(21), FIXED(34), FIXED(14));
                 V refined = _ring_refine_1.time;
                 EACH(GET, _ring_refine_1, gap, rate)
-                CALL(court_refined_root, _refined_root_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
-                EACH(SET, _refined_root_1, arrival, refining)
+                CALL(court_refined_return, _refined_return_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
+                EACH(SET, _refined_return_1, arrival, refining)
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 lanes_pack(worklist->refining_ended_row + done, ended, row);
@@ -4403,9 +4403,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 CALL(court_arrival_time, _arrival_time_1)(arrival);
                 EACH(GET, _arrival_time_1, time)
 #if BOUNDED
-                CALL(court_arrival_certainty, _arrival_certainty_1)(t, clearance, time, delay, undecided_time, arrives, certain);
-                EACH(SET, _arrival_certainty_1, delay)
-                EACH(SELECT, (rows, _arrival_certainty_1), undecided_time)
+                CALL(court_return_certainty, _return_certainty_1)(t, clearance, time, delay, undecided_time, arrives, certain);
+                EACH(SET, _return_certainty_1, delay)
+                EACH(SELECT, (rows, _return_certainty_1), undecided_time)
                 CALL(court_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
                 EACH(SELECT, (rows, _tie_undecided_1), undecided_time, earliest_delay)
 #endif
@@ -4687,9 +4687,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                 EACH(GET, _backboard_refine_1, rate)
 #endif
-                CALL(court_refined_root, _refined_root_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
-                EACH(SELECT, (_if_refining_1, _refined_root_1), arrival)
-                EACH(SELECT_MASK, (_if_refining_1, _refined_root_1), refining)
+                CALL(court_refined_return, _refined_return_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
+                EACH(SELECT, (_if_refining_1, _refined_return_1), arrival)
+                EACH(SELECT_MASK, (_if_refining_1, _refined_return_1), refining)
             }
             const M _if_refining_2 = lanes_both(rows, refining);
             if (lanes_any(_if_refining_2)) {
@@ -4701,9 +4701,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                 EACH(GET, _backboard_refine_2, rate)
 #endif
-                CALL(court_refined_root, _refined_root_2)(leaving, gap, rate, ceiling, arrival, refined, certain);
-                EACH(SELECT, (_if_refining_2, _refined_root_2), arrival)
-                EACH(SELECT_MASK, (_if_refining_2, _refined_root_2), refining)
+                CALL(court_refined_return, _refined_return_2)(leaving, gap, rate, ceiling, arrival, refined, certain);
+                EACH(SELECT, (_if_refining_2, _refined_return_2), arrival)
+                EACH(SELECT_MASK, (_if_refining_2, _refined_return_2), refining)
             }
             EACH(STORE, reachable_, arrival)
             EACH(STORE_MASK, reachable_, arrives)
@@ -4757,8 +4757,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 CALL(court_backboard_refine, _backboard_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(21), FIXED(15), FIXED(34), FIXED(56));
                 V refined = _backboard_refine_1.time;
                 EACH(GET, _backboard_refine_1, gap, rate)
-                CALL(court_refined_root, _refined_root_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
-                EACH(SET, _refined_root_1, arrival, refining)
+                CALL(court_refined_return, _refined_return_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
+                EACH(SET, _refined_return_1, arrival, refining)
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 lanes_pack(worklist->reachable_refining_ended_row + done, ended, row);
@@ -4800,8 +4800,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_arrival_time, _arrival_time_1)(arrival);
             EACH(GET, _arrival_time_1, time)
 #if BOUNDED
-            CALL(court_arrival_certainty, _arrival_certainty_1)(t, clearance, time, delay, undecided_time, arrives, certain);
-            EACH(SET, _arrival_certainty_1, delay, undecided_time)
+            CALL(court_return_certainty, _return_certainty_1)(t, clearance, time, delay, undecided_time, arrives, certain);
+            EACH(SET, _return_certainty_1, delay, undecided_time)
             CALL(court_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
             EACH(SET, _tie_undecided_1, undecided_time, earliest_delay)
 #endif
@@ -5101,9 +5101,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                 EACH(GET, _bridge_refine_1, rate)
 #endif
-                CALL(court_refined_root, _refined_root_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
-                EACH(SELECT, (_if_refining_1, _refined_root_1), arrival)
-                EACH(SELECT_MASK, (_if_refining_1, _refined_root_1), refining)
+                CALL(court_refined_return, _refined_return_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
+                EACH(SELECT, (_if_refining_1, _refined_return_1), arrival)
+                EACH(SELECT_MASK, (_if_refining_1, _refined_return_1), refining)
             }
             const M _if_refining_2 = lanes_both(rows, refining);
             if (lanes_any(_if_refining_2)) {
@@ -5115,9 +5115,9 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                 EACH(GET, _bridge_refine_2, rate)
 #endif
-                CALL(court_refined_root, _refined_root_2)(leaving, gap, rate, ceiling, arrival, refined, certain);
-                EACH(SELECT, (_if_refining_2, _refined_root_2), arrival)
-                EACH(SELECT_MASK, (_if_refining_2, _refined_root_2), refining)
+                CALL(court_refined_return, _refined_return_2)(leaving, gap, rate, ceiling, arrival, refined, certain);
+                EACH(SELECT, (_if_refining_2, _refined_return_2), arrival)
+                EACH(SELECT_MASK, (_if_refining_2, _refined_return_2), refining)
             }
             EACH(STORE, reachable_, arrival)
             EACH(STORE_MASK, reachable_, arrives)
@@ -5171,8 +5171,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 CALL(court_bridge_refine, _bridge_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(21), FIXED(34), FIXED(16), FIXED(56));
                 V refined = _bridge_refine_1.time;
                 EACH(GET, _bridge_refine_1, gap, rate)
-                CALL(court_refined_root, _refined_root_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
-                EACH(SET, _refined_root_1, arrival, refining)
+                CALL(court_refined_return, _refined_return_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
+                EACH(SET, _refined_return_1, arrival, refining)
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
                 lanes_pack(worklist->reachable_refining_ended_row + done, ended, row);
@@ -5214,8 +5214,8 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             CALL(court_arrival_time, _arrival_time_1)(arrival);
             EACH(GET, _arrival_time_1, time)
 #if BOUNDED
-            CALL(court_arrival_certainty, _arrival_certainty_1)(t, clearance, time, delay, undecided_time, arrives, certain);
-            EACH(SET, _arrival_certainty_1, delay, undecided_time)
+            CALL(court_return_certainty, _return_certainty_1)(t, clearance, time, delay, undecided_time, arrives, certain);
+            EACH(SET, _return_certainty_1, delay, undecided_time)
             CALL(court_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);
             EACH(SET, _tie_undecided_1, undecided_time, earliest_delay)
 #endif

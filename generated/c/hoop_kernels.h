@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 79f85cdc557b4391,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation d045c64f80c6d78c,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -654,18 +654,17 @@ LANES(hoop_found)(V arrival)
     return (LANES(hoop_found_out)){ _s0, _s0, K(0.0) };
 }
 
-/* A certain root or a return, refined; whether h is above 2^-24, so that it is again.
-   Table 1. 11 operations: 3 multiplications, 1 absolute value, 3 comparisons, 2 conjunctions, 1 disjunction, 1 selection. */
+/* A certain root, refined, and whether h is above 2^-24, so that it is refined again.
+   Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection. */
 typedef struct {
     V arrival;
     M refining;
 } LANES(hoop_refined_root_out);
 
 LANES_INLINE LANES(hoop_refined_root_out)
-LANES(hoop_refined_root)(V leaving, V gap, V rate, V ceiling, V arrival, V refined, M certain)
+LANES(hoop_refined_root)(V gap, V rate, V ceiling, V arrival, V refined, M certain)
 {
-    const M _s0 = lanes_either(certain, lanes_both(lanes_less(K(0.0), leaving), lanes_less(rate, K(0.0))));
-    return (LANES(hoop_refined_root_out)){ lanes_select(_s0, refined, arrival), lanes_both(_s0, lanes_less(lanes_mul(K(5.960464477539063e-08), lanes_mul(rate, rate)), lanes_mul(ceiling, lanes_abs(gap)))) };
+    return (LANES(hoop_refined_root_out)){ lanes_select(certain, refined, arrival), lanes_both(certain, lanes_less(lanes_mul(K(5.960464477539063e-08), lanes_mul(rate, rate)), lanes_mul(ceiling, lanes_abs(gap)))) };
 }
 
 /* Margin of the form, F or F/t, in which an arrival was found.
@@ -692,17 +691,17 @@ LANES(hoop_arrival_time)(V arrival)
     return (LANES(hoop_arrival_time_out)){ lanes_select(lanes_less(arrival, K(0.0)), K(0.0), arrival) };
 }
 
-/* Delay of a certain arrival; the earliest undecided time, with where the search of any other one stands.
-   Table 1. 12 operations: 1 subtraction, 3 comparisons, 3 conjunctions, 1 complement, 4 selections. */
+/* Delay of a certain arrival; the earliest undecided time, with that of any other one.
+   Table 1. 10 operations: 1 subtraction, 2 comparisons, 3 conjunctions, 1 complement, 3 selections. */
 typedef struct {
     V delay, undecided_time;
 } LANES(hoop_arrival_certainty_out);
 
 LANES_INLINE LANES(hoop_arrival_certainty_out)
-LANES(hoop_arrival_certainty)(V t, V clearance, V time, V delay, V undecided_time, M arrives, M certain)
+LANES(hoop_arrival_certainty)(V clearance, V time, V delay, V undecided_time, M arrives, M certain)
 {
     const M _s0 = lanes_both(certain, lanes_less(K(0.0), clearance));
-    const V _s1 = lanes_select(certain, lanes_sub(time, delay), lanes_min(time, t));
+    const V _s1 = lanes_select(certain, lanes_sub(time, delay), time);
     return (LANES(hoop_arrival_certainty_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(_s1, undecided_time)), _s1, undecided_time) };
 }
 

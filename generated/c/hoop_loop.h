@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene hoop, derivation 79f85cdc557b4391,
+   Generated from templates/c/loop.h.j2, scene hoop, derivation d045c64f80c6d78c,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -147,7 +147,7 @@ typedef struct {
     LANES(column) earliest_delay, latest, leaving, pad, rate, refining_ended_rate, searching_latest,
         searching_searching, searching_searching_ended_searching, searching_searching_ended_t,
         searching_searching_ended_undecided_time, searching_searching_undecided_time,
-        searching_undecided_time, t, undecided_time;
+        searching_undecided_time, undecided_time;
     LANES(singles_column) position_error, searching_position_error, searching_searching_position_error,
         searching_searching_velocity_error, searching_velocity_error, velocity_error;
 #endif
@@ -1721,7 +1721,6 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(SET, _stepped_1, arrival, searching)
                 EACH(GET, _stepped_1, t)
                 EACH(STORE, , arrival)
-                BOUNDS(EACH(STORE, , t))
                 const M packed = lanes_both(rows, searching);
                 if (lanes_any(packed)) {
                     EACH(LOAD, , extent, last, share, speed, until, vx, vy, vz, x, y, z)
@@ -1932,7 +1931,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
         for (size_t k = 0; k < searching_shots; k++) {
             const size_t row = (size_t)worklist->searching_row[k];
             EACH(RETURN, (, searching_), arrival, ceiling, certain, flat, rho_start, tilt)
-            BOUNDS(EACH(RETURN, (, searching_), latest, t, undecided_time))
+            BOUNDS(EACH(RETURN, (, searching_), latest, undecided_time))
         }
         }
         {
@@ -1960,7 +1959,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
 #else
                     EACH(GET, _ring_refine_1, rate)
 #endif
-                    CALL(hoop_refined_root, _refined_root_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
+                    CALL(hoop_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
                     EACH(SELECT, (_if_refining_1, _refined_root_1), arrival)
                     EACH(SELECT_MASK, (_if_refining_1, _refined_root_1), refining)
                 }
@@ -1974,7 +1973,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
 #else
                     EACH(GET, _ring_refine_2, rate)
 #endif
-                    CALL(hoop_refined_root, _refined_root_2)(leaving, gap, rate, ceiling, arrival, refined, certain);
+                    CALL(hoop_refined_root, _refined_root_2)(gap, rate, ceiling, arrival, refined, certain);
                     EACH(SELECT, (_if_refining_2, _refined_root_2), arrival)
                     EACH(SELECT_MASK, (_if_refining_2, _refined_root_2), refining)
                 }
@@ -2031,7 +2030,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 CALL(hoop_ring_refine, _ring_refine_1)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, FIXED(6), FIXED(17), FIXED(27), FIXED(13));
                 V refined = _ring_refine_1.time;
                 EACH(GET, _ring_refine_1, gap, rate)
-                CALL(hoop_refined_root, _refined_root_1)(leaving, gap, rate, ceiling, arrival, refined, certain);
+                CALL(hoop_refined_root, _refined_root_1)(gap, rate, ceiling, arrival, refined, certain);
                 EACH(SET, _refined_root_1, arrival, refining)
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(refining, lanes_less(turns, K(8.0)))));
@@ -2061,7 +2060,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 EACH(LOAD, , arrival, when, which)
                 EACH(LOAD_MASK, , arrives)
 #if BOUNDED
-                EACH(LOAD, , ceiling, earliest_delay, extent, latest, leaving, rate, speed, t)
+                EACH(LOAD, , ceiling, earliest_delay, extent, latest, leaving, rate, speed)
                 EACH(LOAD, , undecided_time)
                 EACH(LOAD_MASK, , certain)
                 EACH(LOAD_SINGLE, , position_error, velocity_error)
@@ -2077,7 +2076,7 @@ static void LOOP(run)(const hoop_job *job, LOOP(worklist) *const restrict workli
                 CALL(hoop_arrival_time, _arrival_time_1)(arrival);
                 EACH(GET, _arrival_time_1, time)
 #if BOUNDED
-                CALL(hoop_arrival_certainty, _arrival_certainty_1)(t, clearance, time, delay, undecided_time, arrives, certain);
+                CALL(hoop_arrival_certainty, _arrival_certainty_1)(clearance, time, delay, undecided_time, arrives, certain);
                 EACH(SET, _arrival_certainty_1, delay)
                 EACH(SELECT, (rows, _arrival_certainty_1), undecided_time)
                 CALL(hoop_tie_undecided, _tie_undecided_1)(time, when, delay, earliest_delay, undecided_time, arrives);

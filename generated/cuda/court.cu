@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation b90b8028038b604d,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation ba8efae2d0966445,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -1002,14 +1002,14 @@ static __device__ __forceinline__ kernel_found_out kernel_found(double arrival)
     return {_s0, _s0, 0.0};
 }
 
-/* A certain root or a return, refined; whether h is above 2^-24, so that it is again.
+/* The same, also of a return that is not certain.
    Table 1. 11 operations: 3 multiplications, 1 absolute value, 3 comparisons, 2 conjunctions, 1 disjunction, 1 selection. */
-struct kernel_refined_root_out {
+struct kernel_refined_return_out {
     double arrival;
     bool refining;
 };
 
-static __device__ __forceinline__ kernel_refined_root_out kernel_refined_root(double leaving, double gap, double rate, double ceiling, double arrival, double refined, bool certain)
+static __device__ __forceinline__ kernel_refined_return_out kernel_refined_return(double leaving, double gap, double rate, double ceiling, double arrival, double refined, bool certain)
 {
     const bool _s0 = certain || ((0.0 < leaving) && (rate < 0.0));
     return {choose(_s0, refined, arrival), _s0 && ((5.960464477539063e-08 * (rate * rate)) < (ceiling * fabs(gap)))};
@@ -1037,13 +1037,13 @@ static __device__ __forceinline__ kernel_arrival_time_out kernel_arrival_time(do
     return {choose((arrival < 0.0), 0.0, arrival)};
 }
 
-/* Delay of a certain arrival; the earliest undecided time, with where the search of any other one stands.
+/* The same, if an arrival that is not certain may have been refined.
    Table 1. 12 operations: 1 subtraction, 3 comparisons, 3 conjunctions, 1 complement, 4 selections. */
-struct kernel_arrival_certainty_out {
+struct kernel_return_certainty_out {
     double delay, undecided_time;
 };
 
-static __device__ __forceinline__ kernel_arrival_certainty_out kernel_arrival_certainty(double t, double clearance, double time, double delay, double undecided_time, bool arrives, bool certain)
+static __device__ __forceinline__ kernel_return_certainty_out kernel_return_certainty(double t, double clearance, double time, double delay, double undecided_time, bool arrives, bool certain)
 {
     const bool _s0 = certain && (0.0 < clearance);
     const double _s1 = choose(certain, (time - delay), smaller(time, t));
@@ -6451,7 +6451,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o61.time;
                 gap = _o61.gap;
                 rate = _o61.rate;
-                const kernel_refined_root_out _o62 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_return_out _o62 = kernel_refined_return(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o62.arrival;
                 refining = _o62.refining;
             }
@@ -6460,7 +6460,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o63.time;
                 gap = _o63.gap;
                 rate = _o63.rate;
-                const kernel_refined_root_out _o64 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_return_out _o64 = kernel_refined_return(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o64.arrival;
                 refining = _o64.refining;
             }
@@ -6471,7 +6471,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o65.time;
                 gap = _o65.gap;
                 rate = _o65.rate;
-                const kernel_refined_root_out _o66 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_return_out _o66 = kernel_refined_return(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o66.arrival;
                 refining = _o66.refining;
             }
@@ -6489,7 +6489,7 @@ static __device__ __forceinline__ void court_loop(
             const kernel_arrival_time_out _o70 = kernel_arrival_time(arrival);
             time = _o70.time;
             if (BOUNDS) {
-                const kernel_arrival_certainty_out _o71 = kernel_arrival_certainty(t, clearance, time, delay, undecided_time, arrives, certain);
+                const kernel_return_certainty_out _o71 = kernel_return_certainty(t, clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o71.delay;
                 undecided_time = _o71.undecided_time;
                 const kernel_tie_undecided_out _o72 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
@@ -6655,7 +6655,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o107.time;
                 gap = _o107.gap;
                 rate = _o107.rate;
-                const kernel_refined_root_out _o108 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_return_out _o108 = kernel_refined_return(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o108.arrival;
                 refining = _o108.refining;
             }
@@ -6664,7 +6664,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o109.time;
                 gap = _o109.gap;
                 rate = _o109.rate;
-                const kernel_refined_root_out _o110 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_return_out _o110 = kernel_refined_return(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o110.arrival;
                 refining = _o110.refining;
             }
@@ -6675,7 +6675,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o111.time;
                 gap = _o111.gap;
                 rate = _o111.rate;
-                const kernel_refined_root_out _o112 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_return_out _o112 = kernel_refined_return(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o112.arrival;
                 refining = _o112.refining;
             }
@@ -6693,7 +6693,7 @@ static __device__ __forceinline__ void court_loop(
             const kernel_arrival_time_out _o116 = kernel_arrival_time(arrival);
             time = _o116.time;
             if (BOUNDS) {
-                const kernel_arrival_certainty_out _o117 = kernel_arrival_certainty(t, clearance, time, delay, undecided_time, arrives, certain);
+                const kernel_return_certainty_out _o117 = kernel_return_certainty(t, clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o117.delay;
                 undecided_time = _o117.undecided_time;
                 const kernel_tie_undecided_out _o118 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);
@@ -6874,7 +6874,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o154.time;
                 gap = _o154.gap;
                 rate = _o154.rate;
-                const kernel_refined_root_out _o155 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_return_out _o155 = kernel_refined_return(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o155.arrival;
                 refining = _o155.refining;
             }
@@ -6883,7 +6883,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o156.time;
                 gap = _o156.gap;
                 rate = _o156.rate;
-                const kernel_refined_root_out _o157 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_return_out _o157 = kernel_refined_return(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o157.arrival;
                 refining = _o157.refining;
             }
@@ -6894,7 +6894,7 @@ static __device__ __forceinline__ void court_loop(
                 refined = _o158.time;
                 gap = _o158.gap;
                 rate = _o158.rate;
-                const kernel_refined_root_out _o159 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_return_out _o159 = kernel_refined_return(leaving, gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o159.arrival;
                 refining = _o159.refining;
             }
@@ -6912,7 +6912,7 @@ static __device__ __forceinline__ void court_loop(
             const kernel_arrival_time_out _o163 = kernel_arrival_time(arrival);
             time = _o163.time;
             if (BOUNDS) {
-                const kernel_arrival_certainty_out _o164 = kernel_arrival_certainty(t, clearance, time, delay, undecided_time, arrives, certain);
+                const kernel_return_certainty_out _o164 = kernel_return_certainty(t, clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o164.delay;
                 undecided_time = _o164.undecided_time;
                 const kernel_tie_undecided_out _o165 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation 79f85cdc557b4391,
+   Generated from templates/cuda/scene.cu.j2, scene hoop, derivation d045c64f80c6d78c,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -696,17 +696,16 @@ static __device__ __forceinline__ kernel_found_out kernel_found(double arrival)
     return {_s0, _s0, 0.0};
 }
 
-/* A certain root or a return, refined; whether h is above 2^-24, so that it is again.
-   Table 1. 11 operations: 3 multiplications, 1 absolute value, 3 comparisons, 2 conjunctions, 1 disjunction, 1 selection. */
+/* A certain root, refined, and whether h is above 2^-24, so that it is refined again.
+   Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection. */
 struct kernel_refined_root_out {
     double arrival;
     bool refining;
 };
 
-static __device__ __forceinline__ kernel_refined_root_out kernel_refined_root(double leaving, double gap, double rate, double ceiling, double arrival, double refined, bool certain)
+static __device__ __forceinline__ kernel_refined_root_out kernel_refined_root(double gap, double rate, double ceiling, double arrival, double refined, bool certain)
 {
-    const bool _s0 = certain || ((0.0 < leaving) && (rate < 0.0));
-    return {choose(_s0, refined, arrival), _s0 && ((5.960464477539063e-08 * (rate * rate)) < (ceiling * fabs(gap)))};
+    return {choose(certain, refined, arrival), certain && ((5.960464477539063e-08 * (rate * rate)) < (ceiling * fabs(gap)))};
 }
 
 /* Margin of the form, F or F/t, in which an arrival was found.
@@ -731,16 +730,16 @@ static __device__ __forceinline__ kernel_arrival_time_out kernel_arrival_time(do
     return {choose((arrival < 0.0), 0.0, arrival)};
 }
 
-/* Delay of a certain arrival; the earliest undecided time, with where the search of any other one stands.
-   Table 1. 12 operations: 1 subtraction, 3 comparisons, 3 conjunctions, 1 complement, 4 selections. */
+/* Delay of a certain arrival; the earliest undecided time, with that of any other one.
+   Table 1. 10 operations: 1 subtraction, 2 comparisons, 3 conjunctions, 1 complement, 3 selections. */
 struct kernel_arrival_certainty_out {
     double delay, undecided_time;
 };
 
-static __device__ __forceinline__ kernel_arrival_certainty_out kernel_arrival_certainty(double t, double clearance, double time, double delay, double undecided_time, bool arrives, bool certain)
+static __device__ __forceinline__ kernel_arrival_certainty_out kernel_arrival_certainty(double clearance, double time, double delay, double undecided_time, bool arrives, bool certain)
 {
     const bool _s0 = certain && (0.0 < clearance);
-    const double _s1 = choose(certain, (time - delay), smaller(time, t));
+    const double _s1 = choose(certain, (time - delay), time);
     return {choose(_s0, delay, 0.0), choose(((arrives && (!_s0)) && (_s1 < undecided_time)), _s1, undecided_time)};
 }
 
@@ -3024,7 +3023,7 @@ static __device__ __forceinline__ bool hoop_loop(
                 refined = _o91.time;
                 gap = _o91.gap;
                 rate = _o91.rate;
-                const kernel_refined_root_out _o92 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o92 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o92.arrival;
                 refining = _o92.refining;
             }
@@ -3033,7 +3032,7 @@ static __device__ __forceinline__ bool hoop_loop(
                 refined = _o93.time;
                 gap = _o93.gap;
                 rate = _o93.rate;
-                const kernel_refined_root_out _o94 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o94 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o94.arrival;
                 refining = _o94.refining;
             }
@@ -3044,7 +3043,7 @@ static __device__ __forceinline__ bool hoop_loop(
                 refined = _o95.time;
                 gap = _o95.gap;
                 rate = _o95.rate;
-                const kernel_refined_root_out _o96 = kernel_refined_root(leaving, gap, rate, ceiling, arrival, refined, certain);
+                const kernel_refined_root_out _o96 = kernel_refined_root(gap, rate, ceiling, arrival, refined, certain);
                 arrival = _o96.arrival;
                 refining = _o96.refining;
             }
@@ -3062,7 +3061,7 @@ static __device__ __forceinline__ bool hoop_loop(
             const kernel_arrival_time_out _o100 = kernel_arrival_time(arrival);
             time = _o100.time;
             if (BOUNDS) {
-                const kernel_arrival_certainty_out _o101 = kernel_arrival_certainty(t, clearance, time, delay, undecided_time, arrives, certain);
+                const kernel_arrival_certainty_out _o101 = kernel_arrival_certainty(clearance, time, delay, undecided_time, arrives, certain);
                 delay = _o101.delay;
                 undecided_time = _o101.undecided_time;
                 const kernel_tie_undecided_out _o102 = kernel_tie_undecided(time, when, delay, earliest_delay, undecided_time, arrives);

@@ -1,6 +1,6 @@
 /* Flight in the scene hoop, and where a body is touched.
 
-   Generated from templates/js/flight.js.j2, scene hoop, derivation 79f85cdc557b4391,
+   Generated from templates/js/flight.js.j2, scene hoop, derivation d045c64f80c6d78c,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Numbers in, an array of numbers out; SI units. */

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation b90b8028038b604d,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation ba8efae2d0966445,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -397,10 +397,10 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "budget_undecided": ("undecided_time",),
     "advanced": ("arrival", "certain", "exhausted", "searching", "t",),
     "found": ("arrives", "refining", "rate",),
-    "refined_root": ("arrival", "refining",),
+    "refined_return": ("arrival", "refining",),
     "own_margin": ("margin",),
     "arrival_time": ("time",),
-    "arrival_certainty": ("delay", "undecided_time",),
+    "return_certainty": ("delay", "undecided_time",),
     "outside": ("side", "gap_at_start",),
     "state_in_range": ("in_range",),
     "opening": ("when", "which", "earliest_delay", "undecided_time",),
@@ -1830,8 +1830,8 @@ def found(arrival: Any) -> tuple[Any, ...]:
     return _s0, _s0, 0.0
 
 
-def refined_root(leaving: Any, gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
-    """A certain root or a return, refined; whether h is above 2^-24, so that it is again.
+def refined_return(leaving: Any, gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
+    """The same, also of a return that is not certain.
 
     Table 1. 11 operations: 3 multiplications, 1 absolute value, 3 comparisons, 2 conjunctions, 1 disjunction, 1 selection.
     """
@@ -1855,8 +1855,8 @@ def arrival_time(arrival: Any) -> tuple[Any, ...]:
     return _where((arrival < 0.0), 0.0, arrival),
 
 
-def arrival_certainty(t: Any, clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
-    """Delay of a certain arrival; the earliest undecided time, with where the search of any other one stands.
+def return_certainty(t: Any, clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
+    """The same, if an arrival that is not certain may have been refined.
 
     Table 1. 12 operations: 1 subtraction, 3 comparisons, 3 conjunctions, 1 complement, 4 selections.
     """
@@ -7041,7 +7041,7 @@ def _found_alone(arrival: Any) -> tuple[Any, ...]:
     return _s0, _s0, _k2
 
 
-def _refined_root_alone(leaving: Any, gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
+def _refined_return_alone(leaving: Any, gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
     _s0 = certain or ((_k2 < leaving) and (rate < _k2))
     return refined if _s0 else arrival, _s0 and ((_k85 * (rate * rate)) < (ceiling * abs(gap)))
 
@@ -7054,7 +7054,7 @@ def _arrival_time_alone(arrival: Any) -> tuple[Any, ...]:
     return _k2 if (arrival < _k2) else arrival,
 
 
-def _arrival_certainty_alone(t: Any, clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
+def _return_certainty_alone(t: Any, clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
     _s0 = certain and (_k2 < clearance)
     _s1 = (time - delay) if certain else (time if time < t else t)
     return delay if _s0 else _k2, _s1 if ((arrives and (not _s0)) and (_s1 < undecided_time)) else undecided_time
@@ -9215,15 +9215,15 @@ def _alone0(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, 
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k2, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _time_, = _arrival_time_alone(_arrival_)
     _when_, _which_ = _earliest_alone(_k2, _time_, _when_, _which_, _arrives_)
     return (_when_, _which_,)
@@ -9284,7 +9284,7 @@ def _alone4(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_b
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_,)
 
 
@@ -9324,15 +9324,15 @@ def _alone5(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_bottom_: 
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k1, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _time_, = _arrival_time_alone(_arrival_)
     _when_, _which_ = _earliest_alone(_k1, _time_, _when_, _which_, _arrives_)
     return (_when_, _which_,)
@@ -9362,7 +9362,7 @@ def _alone7(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_b
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_,)
 
 
@@ -9402,15 +9402,15 @@ def _alone8(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_board_distance_
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k44, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _time_, = _arrival_time_alone(_arrival_)
     _when_, _which_ = _earliest_alone(_k44, _time_, _when_, _which_, _arrives_)
     return (_when_, _which_,)
@@ -9440,7 +9440,7 @@ def _alone10(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_,)
 
 
@@ -9838,20 +9838,20 @@ def _alone14(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_:
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k2, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _flat_, _tilt_, _rate_margin_ = _ring_margins_alone(_latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _margin_, = _own_margin_alone(_leaving_, _flat_, _tilt_, _arrival_)
     _clearance_, _delay_ = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
     _time_, = _arrival_time_alone(_arrival_)
-    _delay_, _undecided_time_ = _arrival_certainty_alone(_t_, _clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
+    _delay_, _undecided_time_ = _return_certainty_alone(_t_, _clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
     _undecided_time_, _earliest_delay_ = _tie_undecided_alone(_time_, _when_, _delay_, _earliest_delay_, _undecided_time_, _arrives_)
     _when_, _which_ = _earliest_alone(_k2, _time_, _when_, _which_, _arrives_)
     return (_earliest_delay_, _undecided_time_, _when_, _which_,)
@@ -9919,7 +9919,7 @@ def _alone18(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_, _rate_,)
 
 
@@ -9963,20 +9963,20 @@ def _alone19(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_:
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k1, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _flat_, _tilt_, _rate_margin_ = _backboard_margins_alone(_latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
     _margin_, = _own_margin_alone(_leaving_, _flat_, _tilt_, _arrival_)
     _clearance_, _delay_ = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
     _time_, = _arrival_time_alone(_arrival_)
-    _delay_, _undecided_time_ = _arrival_certainty_alone(_t_, _clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
+    _delay_, _undecided_time_ = _return_certainty_alone(_t_, _clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
     _undecided_time_, _earliest_delay_ = _tie_undecided_alone(_time_, _when_, _delay_, _earliest_delay_, _undecided_time_, _arrives_)
     _when_, _which_ = _earliest_alone(_k1, _time_, _when_, _which_, _arrives_)
     return (_earliest_delay_, _undecided_time_, _when_, _which_,)
@@ -10007,7 +10007,7 @@ def _alone21(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _backboard_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_board_distance_, _p_board_half_width_, _p_board_bottom_, _p_board_top_, _p_board_thickness_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_, _rate_,)
 
 
@@ -10051,20 +10051,20 @@ def _alone22(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_:
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k44, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _flat_, _tilt_, _rate_margin_ = _bridge_margins_alone(_latest_, _extent_, _speed_, _position_error_, _velocity_error_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
     _margin_, = _own_margin_alone(_leaving_, _flat_, _tilt_, _arrival_)
     _clearance_, _delay_ = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
     _time_, = _arrival_time_alone(_arrival_)
-    _delay_, _undecided_time_ = _arrival_certainty_alone(_t_, _clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
+    _delay_, _undecided_time_ = _return_certainty_alone(_t_, _clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
     _undecided_time_, _earliest_delay_ = _tie_undecided_alone(_time_, _when_, _delay_, _earliest_delay_, _undecided_time_, _arrives_)
     _when_, _which_ = _earliest_alone(_k44, _time_, _when_, _which_, _arrives_)
     return (_earliest_delay_, _undecided_time_, _when_, _which_,)
@@ -10095,7 +10095,7 @@ def _alone24(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _bridge_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_board_distance_, _p_bridge_half_width_, _p_bridge_depth_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_return_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_, _rate_,)
 
 
@@ -10753,14 +10753,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows19, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count20)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows19, _count2, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows21, _count22 = _most(_refining_1, _count2)
         if _count22:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows21, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count22)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows21, _count2, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows23, _count24 = _rows(_refining_1, _count2)
         if (0 < _count24) and (_count24 <= ALONE):
@@ -10772,7 +10772,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn25 in range(8):
                 _room_2 = room(_count24)
                 _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going26 = _where_true(_refining_2)
                 if len(_going26) == _count24:
                     continue
@@ -10885,14 +10885,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows43, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count44)
             _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows43, _count30, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows45, _count46 = _most(_refining_1, _count30)
         if _count46:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows45, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count46)
             _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows45, _count30, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows47, _count48 = _rows(_refining_1, _count30)
         if (0 < _count48) and (_count48 <= ALONE):
@@ -10904,7 +10904,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn49 in range(8):
                 _room_2 = room(_count48)
                 _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going50 = _where_true(_refining_2)
                 if len(_going50) == _count48:
                     continue
@@ -11018,14 +11018,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows67, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count68)
             _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows67, _count54, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows69, _count70 = _most(_refining_1, _count54)
         if _count70:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows69, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count70)
             _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows69, _count54, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows71, _count72 = _rows(_refining_1, _count54)
         if (0 < _count72) and (_count72 <= ALONE):
@@ -11037,7 +11037,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn73 in range(8):
                 _room_2 = room(_count72)
                 _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going74 = _where_true(_refining_2)
                 if len(_going74) == _count72:
                     continue
@@ -11791,14 +11791,14 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows19, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count20)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows19, _count2, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows21, _count22 = _most(_refining_1, _count2)
         if _count22:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows21, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count22)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows21, _count2, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows23, _count24 = _rows(_refining_1, _count2)
         if (0 < _count24) and (_count24 <= ALONE):
@@ -11810,7 +11810,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn25 in range(8):
                 _room_2 = room(_count24)
                 _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going26 = _where_true(_refining_2)
                 if len(_going26) == _count24:
                     continue
@@ -11830,7 +11830,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = arrival_time(_arrival_1)
-        _delay_1, _undecided_time_1 = arrival_certainty(_t_1, _clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
+        _delay_1, _undecided_time_1 = return_certainty(_t_1, _clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
         _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1, _room_1)
         _when_1, _which_1 = earliest(0.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows1, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
@@ -11932,14 +11932,14 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows43, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count44)
             _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows43, _count30, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows45, _count46 = _most(_refining_1, _count30)
         if _count46:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows45, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count46)
             _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows45, _count30, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows47, _count48 = _rows(_refining_1, _count30)
         if (0 < _count48) and (_count48 <= ALONE):
@@ -11951,7 +11951,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn49 in range(8):
                 _room_2 = room(_count48)
                 _refined_2, _gap_2, _rate_2 = backboard_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going50 = _where_true(_refining_2)
                 if len(_going50) == _count48:
                     continue
@@ -11971,7 +11971,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = arrival_time(_arrival_1)
-        _delay_1, _undecided_time_1 = arrival_certainty(_t_1, _clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
+        _delay_1, _undecided_time_1 = return_certainty(_t_1, _clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
         _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1, _room_1)
         _when_1, _which_1 = earliest(1.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows29, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))
@@ -12074,14 +12074,14 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows67, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count68)
             _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows67, _count54, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows69, _count70 = _most(_refining_1, _count54)
         if _count70:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows69, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count70)
             _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows69, _count54, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows71, _count72 = _rows(_refining_1, _count54)
         if (0 < _count72) and (_count72 <= ALONE):
@@ -12093,7 +12093,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn73 in range(8):
                 _room_2 = room(_count72)
                 _refined_2, _gap_2, _rate_2 = bridge_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_return(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going74 = _where_true(_refining_2)
                 if len(_going74) == _count72:
                     continue
@@ -12113,7 +12113,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = arrival_time(_arrival_1)
-        _delay_1, _undecided_time_1 = arrival_certainty(_t_1, _clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
+        _delay_1, _undecided_time_1 = return_certainty(_t_1, _clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
         _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1, _room_1)
         _when_1, _which_1 = earliest(2.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows53, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 79f85cdc557b4391,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation d045c64f80c6d78c,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -1303,13 +1303,12 @@ def found(arrival: Any) -> tuple[Any, ...]:
     return _s0, _s0, 0.0
 
 
-def refined_root(leaving: Any, gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
-    """A certain root or a return, refined; whether h is above 2^-24, so that it is again.
+def refined_root(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
+    """A certain root, refined, and whether h is above 2^-24, so that it is refined again.
 
-    Table 1. 11 operations: 3 multiplications, 1 absolute value, 3 comparisons, 2 conjunctions, 1 disjunction, 1 selection.
+    Table 1. 7 operations: 3 multiplications, 1 absolute value, 1 comparison, 1 conjunction, 1 selection.
     """
-    _s0 = _logical_or(certain, _logical_and((0.0 < leaving), (rate < 0.0)))
-    return _where(_s0, refined, arrival), _logical_and(_s0, ((5.960464477539063e-08 * (rate * rate)) < (ceiling * _absolute(gap))))
+    return _where(certain, refined, arrival), _logical_and(certain, ((5.960464477539063e-08 * (rate * rate)) < (ceiling * _absolute(gap))))
 
 
 def own_margin(leaving: Any, flat: Any, tilt: Any, arrival: Any) -> tuple[Any, ...]:
@@ -1328,13 +1327,13 @@ def arrival_time(arrival: Any) -> tuple[Any, ...]:
     return _where((arrival < 0.0), 0.0, arrival),
 
 
-def arrival_certainty(t: Any, clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
-    """Delay of a certain arrival; the earliest undecided time, with where the search of any other one stands.
+def arrival_certainty(clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
+    """Delay of a certain arrival; the earliest undecided time, with that of any other one.
 
-    Table 1. 12 operations: 1 subtraction, 3 comparisons, 3 conjunctions, 1 complement, 4 selections.
+    Table 1. 10 operations: 1 subtraction, 2 comparisons, 3 conjunctions, 1 complement, 3 selections.
     """
     _s0 = _logical_and(certain, (0.0 < clearance))
-    _s1 = _where(certain, (time - delay), _where(time < t, time, t))
+    _s1 = _where(certain, (time - delay), time)
     return _where(_s0, delay, 0.0), _where(_logical_and(_logical_and(arrives, _logical_not(_s0)), (_s1 < undecided_time)), _s1, undecided_time)
 
 
@@ -3515,9 +3514,8 @@ def _found_alone(arrival: Any) -> tuple[Any, ...]:
     return _s0, _s0, _k2
 
 
-def _refined_root_alone(leaving: Any, gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
-    _s0 = certain or ((_k2 < leaving) and (rate < _k2))
-    return refined if _s0 else arrival, _s0 and ((_k61 * (rate * rate)) < (ceiling * abs(gap)))
+def _refined_root_alone(gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
+    return refined if certain else arrival, certain and ((_k61 * (rate * rate)) < (ceiling * abs(gap)))
 
 
 def _own_margin_alone(leaving: Any, flat: Any, tilt: Any, arrival: Any) -> tuple[Any, ...]:
@@ -3528,9 +3526,9 @@ def _arrival_time_alone(arrival: Any) -> tuple[Any, ...]:
     return _k2 if (arrival < _k2) else arrival,
 
 
-def _arrival_certainty_alone(t: Any, clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
+def _arrival_certainty_alone(clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
     _s0 = certain and (_k2 < clearance)
-    _s1 = (time - delay) if certain else (time if time < t else t)
+    _s1 = (time - delay) if certain else time
     return delay if _s0 else _k2, _s1 if ((arrives and (not _s0)) and (_s1 < undecided_time)) else undecided_time
 
 
@@ -3943,15 +3941,15 @@ def _alone0(_extent_: Any, _last_: Any, _p_ball_radius_: Any, _p_gravity_: Any, 
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k2, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _time_, = _arrival_time_alone(_arrival_)
     _when_, _which_ = _earliest_alone(_k2, _time_, _when_, _which_, _arrives_)
     return (_when_, _which_,)
@@ -4012,7 +4010,7 @@ def _alone4(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_b
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_,)
 
 
@@ -4063,20 +4061,20 @@ def _alone5(_earliest_delay_: Any, _extent_: Any, _last_: Any, _p_ball_radius_: 
     _leaving_, _ = _nearby_alone(_arrival_, _flat_, _tilt_, _k2, _last_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     if _refining_:
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     for _ in range(8):
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     _flat_, _tilt_, _rate_margin_ = _ring_margins_alone(_latest_, _extent_, _speed_, _float64(_position_error_), _float64(_velocity_error_), _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
     _margin_, = _own_margin_alone(_leaving_, _flat_, _tilt_, _arrival_)
     _clearance_, _delay_ = _crossing_alone(_margin_, _rate_margin_, _rate_, _ceiling_)
     _time_, = _arrival_time_alone(_arrival_)
-    _delay_, _undecided_time_ = _arrival_certainty_alone(_t_, _clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
+    _delay_, _undecided_time_ = _arrival_certainty_alone(_clearance_, _time_, _delay_, _undecided_time_, _arrives_, _certain_)
     _undecided_time_, _earliest_delay_ = _tie_undecided_alone(_time_, _when_, _delay_, _earliest_delay_, _undecided_time_, _arrives_)
     _when_, _which_ = _earliest_alone(_k2, _time_, _when_, _which_, _arrives_)
     return (_earliest_delay_, _undecided_time_, _when_, _which_,)
@@ -4115,7 +4113,7 @@ def _alone7(_arrival_: Any, _certain_: Any, _extent_: Any, _last_: Any, _p_ball_
         if _exhausted_:
             _t_, _end_, _searching_ = _ring_enter_alone(_t_, _end_, _end_, _low0_, _low1_, _low2_, _high0_, _high1_, _high2_)
     _undecided_time_, = _predicate_undecided_alone(_t_, _undecided_time_, _searching_)
-    return (_arrival_, _ceiling_, _certain_, _flat_, _latest_, _rho_start_, _t_, _tilt_, _undecided_time_,)
+    return (_arrival_, _ceiling_, _certain_, _flat_, _latest_, _rho_start_, _tilt_, _undecided_time_,)
 
 
 def _alone8(_arrival_: Any, _ceiling_: Any, _certain_: Any, _end_: Any, _energy2_: Any, _flat_: Any, _last_: Any, _moment2_: Any, _p_ball_radius_: Any, _p_gravity_: Any, _p_ring_radius_: Any, _p_wire_radius_: Any, _rate_slack_: Any, _rho_start_: Any, _searching_: Any, _share_: Any, _t_: Any, _tilt_: Any, _undecided_time_: Any, _vx_: Any, _vy_: Any, _vz_: Any, _x_: Any, _y_: Any, _z_: Any, _extent_: Any, _high0_: Any, _high1_: Any, _high2_: Any, _latest_: Any, _low0_: Any, _low1_: Any, _low2_: Any, _position_error_: Any, _speed_: Any, _velocity_error_: Any, _turns: Any) -> tuple[Any, ...]:
@@ -4144,7 +4142,7 @@ def _alone9(_arrival_: Any, _ceiling_: Any, _certain_: Any, _leaving_: Any, _p_b
         if not _refining_:
             break
         _refined_, _gap_, _rate_ = _ring_refine_alone(_arrival_, _leaving_, _x_, _y_, _z_, _vx_, _vy_, _vz_, _rho_start_, _p_ball_radius_, _p_ring_radius_, _p_wire_radius_, _p_gravity_)
-        _arrival_, _refining_ = _refined_root_alone(_leaving_, _gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
+        _arrival_, _refining_ = _refined_root_alone(_gap_, _rate_, _ceiling_, _arrival_, _refined_, _certain_)
     return (_arrival_, _rate_,)
 
 
@@ -4336,14 +4334,14 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows25, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count26)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows25, _count8, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows27, _count28 = _most(_refining_1, _count8)
         if _count28:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows27, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count28)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _refining_1 = _put(_rows27, _count8, (_arrival_1, _refining_1,), (_arrival_2, _refining_2,), _refining_1)
         _rows29, _count30 = _rows(_refining_1, _count8)
         if (0 < _count30) and (_count30 <= ALONE):
@@ -4355,7 +4353,7 @@ def detect_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn31 in range(8):
                 _room_2 = room(_count30)
                 _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going32 = _where_true(_refining_2)
                 if len(_going32) == _count30:
                     continue
@@ -4590,8 +4588,8 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _arrival_1, _t_1, _searching_1 = stepped(_arrival_1, _double(_short_t_1), _searching_1, _since_1, _single_precision_1, _certain_1)
         _rows17, _count18 = _rows(_searching_1, _count10)
         if (0 < _count18) and (_count18 <= ALONE):
-            _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _t_1, _tilt_1, _undecided_time_1 = _copies(_count10, _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _t_1, _tilt_1, _undecided_time_1)
-            _one_by_one(_alone7, _rows17, _rows17, (_arrival_1, _certain_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _undecided_time_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _t_1, _tilt_1, _undecided_time_1,))
+            _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1 = _copies(_count10, _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1)
+            _one_by_one(_alone7, _rows17, _rows17, (_arrival_1, _certain_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _undecided_time_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (), (_arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1,))
         elif _count18:
             _arrival_2, _certain_2, _extent_2, _last_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _share_2, _speed_2, _t_2, _undecided_time_2, _until_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows17, _arrival_1, _certain_1, _extent_1, _last_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _share_1, _speed_1, _t_1, _undecided_time_1, _until_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count18)
@@ -4650,7 +4648,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 else:
                     _store((_arrival_2, _certain_2, _flat_2, _searching_2, _t_2, _tilt_2, _undecided_time_2,), _rows19, (_arrival_3, _certain_3, _flat_3, _searching_3, _t_3, _tilt_3, _undecided_time_3,), None)
             _undecided_time_2, = predicate_undecided(_t_2, _undecided_time_2, _searching_2)
-            _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _t_1, _tilt_1, _undecided_time_1 = _put(_rows17, _count10, (_arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _t_1, _tilt_1, _undecided_time_1,), (_arrival_2, _ceiling_2, _certain_2, _flat_2, _latest_2, _rho_start_2, _t_2, _tilt_2, _undecided_time_2,))
+            _arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1 = _put(_rows17, _count10, (_arrival_1, _ceiling_1, _certain_1, _flat_1, _latest_1, _rho_start_1, _tilt_1, _undecided_time_1,), (_arrival_2, _ceiling_2, _certain_2, _flat_2, _latest_2, _rho_start_2, _tilt_2, _undecided_time_2,))
         _arrives_1, _refining_1, _rate_1 = found(_arrival_1)
         _leaving_1, *_ = nearby(_arrival_1, _flat_1, _tilt_1, 0.0, _last_1)
         _rows27, _count28 = _most(_refining_1, _count10)
@@ -4658,14 +4656,14 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows27, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count28)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows27, _count10, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows29, _count30 = _most(_refining_1, _count10)
         if _count30:
             _arrival_2, _ceiling_2, _certain_2, _leaving_2, _p_ball_radius_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rho_start_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows29, _arrival_1, _ceiling_1, _certain_1, _leaving_1, _p_ball_radius_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rho_start_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count30)
             _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-            _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+            _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
             _arrival_1, _rate_1, _refining_1 = _put(_rows29, _count10, (_arrival_1, _rate_1, _refining_1,), (_arrival_2, _rate_2, _refining_2,), _refining_1)
         _rows31, _count32 = _rows(_refining_1, _count10)
         if (0 < _count32) and (_count32 <= ALONE):
@@ -4677,7 +4675,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             for _turn33 in range(8):
                 _room_2 = room(_count32)
                 _refined_2, _gap_2, _rate_2 = ring_refine(_arrival_2, _leaving_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
-                _arrival_2, _refining_2 = refined_root(_leaving_2, _gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
+                _arrival_2, _refining_2 = refined_root(_gap_2, _rate_2, _ceiling_2, _arrival_2, _refined_2, _certain_2)
                 _going34 = _where_true(_refining_2)
                 if len(_going34) == _count32:
                     continue
@@ -4697,7 +4695,7 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _margin_1, = own_margin(_leaving_1, _flat_1, _tilt_1, _arrival_1)
         _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = arrival_time(_arrival_1)
-        _delay_1, _undecided_time_1 = arrival_certainty(_t_1, _clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
+        _delay_1, _undecided_time_1 = arrival_certainty(_clearance_1, _time_1, _delay_1, _undecided_time_1, _arrives_1, _certain_1)
         _undecided_time_1, _earliest_delay_1 = tie_undecided(_time_1, _when_1, _delay_1, _earliest_delay_1, _undecided_time_1, _arrives_1, _room_1)
         _when_1, _which_1 = earliest(0.0, _time_1, _when_1, _which_1, _arrives_1)
         _earliest_delay_0, _undecided_time_0, _when_0, _which_0 = _put(_rows9, shots, (_earliest_delay_0, _undecided_time_0, _when_0, _which_0,), (_earliest_delay_1, _undecided_time_1, _when_1, _which_1,))

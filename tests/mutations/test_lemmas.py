@@ -254,7 +254,7 @@ FAULTS = (
     ),
     Planted(
         "a root that is not certain is no sooner than computed",
-        in_decisions(searching, "Choose(certain, time - delay, minimum(t, time))", "time"),
+        in_decisions(searching, "Choose(certain, time - delay, since)", "time"),
         sooner,
     ),
     Planted(

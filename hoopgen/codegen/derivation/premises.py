@@ -109,7 +109,10 @@ PREMISES: dict[str, Premise] = {
     "crossing": Premise(
         LEMMA,
         "a certain crossing, and its delay",
-        _kernels("common.crossing common.crossing_undecided common.arrival_certainty"),
+        _kernels(
+            "common.crossing common.crossing_undecided common.arrival_certainty "
+            "common.return_certainty"
+        ),
     ),
     "deflation": Premise(
         LEMMA, "deflation after a contact", _kernels("common.left* common.nearby common.own_margin")

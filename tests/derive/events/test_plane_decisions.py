@@ -265,13 +265,14 @@ def test_what_may_be_sooner_is_undecided_from_then_on() -> None:
     graze = {"apex": 0.5, "height": 1e-9, "margin": 1e-9}
     assert _undecided_time("apex_undecided", **graze) == 0
     assert _undecided_time("apex_undecided", **graze | {"margin": 0.9e-9}) == np.inf
-    root = {"arrives": True, "certain": True, "t": 0.25, "time": 0.5, "delay": 0.1}
-    assert _undecided_time("arrival_certainty", **root, clearance=-1.0) == 0.4
-    assert _undecided_time("arrival_certainty", **root, clearance=1.0) == np.inf
-    # The search has shown that there is no root before the time at which it stands.
-    open_root = root | {"certain": False, "clearance": 1.0}
-    assert _undecided_time("arrival_certainty", **open_root | {"t": 0.5}) == 0.5
-    assert _undecided_time("arrival_certainty", **open_root) == 0.25
+    root = {"arrives": True, "certain": True, "time": 0.5, "delay": 0.1}
+    # The search has shown that there is no root before the time at which it stands: that of the
+    # root, if it was not refined.
+    for name, since in (("arrival_certainty", 0.5), ("return_certainty", 0.25)):
+        own = root if since == 0.5 else root | {"t": since}
+        assert _undecided_time(name, **own, clearance=-1.0) == 0.4
+        assert _undecided_time(name, **own, clearance=1.0) == np.inf
+        assert _undecided_time(name, **own | {"certain": False}, clearance=1.0) == since
 
 
 def test_an_event_that_may_be_after_the_horizon_is_undecided_whatever_misses() -> None:
