@@ -52,6 +52,10 @@ CERTAIN_DISTANCE_FACTOR = 8
 """A ball so many times further from the box of a surface than the rounding is certainly not
 inside the surface: except for roundings, `inside` is no less than the distance from the box."""
 
+MAX_PUT_ON = sp.Rational(1, 2**9)
+"""Largest distance by which a ball is put onto a surface that it starts on, by its radius: twice
+the distance at which it still touches the body. Behind a shell it is further off."""
+
 
 def without_assumptions(expression: sp.Basic) -> sp.Basic:
     """Return the expression in symbols without assumptions on their sign."""
@@ -66,7 +70,7 @@ def valid(scene: Scene, tabled: Set[int]) -> dict[str, sp.Expr]:
     have no more distance than that, and be within the bounds: then the ball is on it, as after a
     contact. Further off, and behind it, an arrival there depends on whether the ball or the surface
     is taken to be where it is, and the shot is undecided. Where a ball rolls it is put onto the
-    surface (`rolling/start.py`).
+    surface (`rolling/start.py`); behind one with bounds, which it may touch, it is undecided.
 
     **Lemma (start).** Let s be 16 u times the sum S of the sizes of coordinates and lengths. In
     `HOOP` and `COURT`, an `inside` that is larger than s in size, for the ring 4 R s, has the right
@@ -236,12 +240,15 @@ def _with_surface(
     own = left_reach if several else sp.Rational(1, 2)
     rounding = barrier(without_assumptions(surface.steepness)) * slack
     near = IfAtMost(absolute(overlap), rounding, 1, undecided)
+    distance = barrier(absolute(barrier(without_assumptions(surface.distance))))
     off = undecided
     if not is_put_on:
-        distance = barrier(absolute(barrier(without_assumptions(surface.distance))))
         off = IfAtMost(distance, slack, IfAtMost(overlap, rounding, undecided, 1), 1)
-        if several:  # the ball is on one surface of the body
-            off = IfLess(absolute(last - index), sp.Rational(1, 2), off, undecided)
+    elif surface.bounds:  # the ball may touch it from behind
+        far = barrier(MAX_PUT_ON * without_assumptions(scene.ball_radius))
+        off = IfAtMost(distance, far, undecided, 1)
+    if several:  # the ball is on one surface of the body
+        off = IfLess(absolute(last - index), sp.Rational(1, 2), off, undecided)
     return (
         IfLess(left, own, verdict, IfAtMost(0, overlap, verdict, 0)),
         IfLess(left, own, off, near),

@@ -102,6 +102,11 @@ starts = {
         ),
     )
 }
+from_behind = OfEngine(
+    test_starts_on_bodies.test_a_ball_that_touches_a_table_from_behind_is_uncertain,
+    given=(("numpy",),),
+    scene=test_starts_on_bodies.TABLE,
+)
 off_body = OfEngine(
     test_starts_on_bodies.check_balls_off_a_body,
     given=((test_starts_on_bodies.drops(60),),),
@@ -364,6 +369,11 @@ FAULTS = (
         "a ball may be inside other surfaces of the body that it leaves",
         in_text(validity, "left_surface", "sp.Rational(len(own), 2)", "sp.Rational(1, 2)"),
         starts["a_ball_leaves_the_surface_of_a_body_that_it_touches"],
+    ),
+    Planted(
+        "a ball may be put through the table that it starts behind",
+        in_text(validity, "_with_surface", "IfAtMost(distance, far, undecided, 1)", "undecided"),
+        from_behind,
     ),
     Planted(
         "a ball may be off the surface that it leaves, where none puts it on",

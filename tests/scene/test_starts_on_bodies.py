@@ -587,6 +587,19 @@ def test_a_ball_behind_a_shell_or_below_a_bound_is_not_on_the_body(backend: Back
     check_balls_behind_a_shell(hoopgen.compile(SHELL), backend)
 
 
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_a_ball_that_touches_a_table_from_behind_is_uncertain(
+    table: Engine, backend: BackendName
+) -> None:
+    """It is put onto the front, through the table."""
+    normal = _of_length_one([1, 0.5, 4])
+    states = np.zeros((4, 9))
+    states[:, :3] = np.array([1, 1 + 1 / 1100, -1, -1 - 1 / 1100])[:, None] * BALL * normal
+    shots = table.simulate(states, leaving="table", time_limit=0.1, backend=backend)
+    assert not np.any(shots.outcome == table.outcomes["INVALID"])
+    assert shots.uncertain.tolist() == [False, False, True, True]
+
+
 def check_errors_without_bounds(engine: Engine) -> None:
     """Whatever has no bounds is uncertain, and some shots have none."""
     states = np.zeros((40, 9))
