@@ -591,7 +591,7 @@ def test_a_ball_behind_a_shell_or_below_a_bound_is_not_on_the_body(backend: Back
 def test_a_ball_that_touches_a_table_from_behind_is_uncertain(
     table: Engine, backend: BackendName
 ) -> None:
-    """It is put onto the front, through the table."""
+    """A ball behind the table is put onto its front, through it."""
     normal = _of_length_one([1, 0.5, 4])
     states = np.zeros((4, 9))
     states[:, :3] = np.array([1, 1 + 1 / 1100, -1, -1 - 1 / 1100])[:, None] * BALL * normal
