@@ -226,7 +226,6 @@ def _contact_decisions(
     codes: EventCodes, edges: bool, oblique: bool, revolved: bool, tori: Sequence[int]
 ) -> tuple[Kernel, ...]:
     """Return the decisions that open a turn in contact and tell which surface holds the ball."""
-    bounded = all_of(Less(position_error, sp.oo), Less(velocity_error, sp.oo))
     leaves, falls = Equal(mode, LEAVES), Equal(mode, FALLS_OFF)
     ending = {"leaves": Or(leaves, falls), str(falls_off): falls} if edges else {"leaves": leaves}
     curved = sum(rolling_series.across, ()) if oblique else rolling_series.bent
@@ -239,7 +238,7 @@ def _contact_decisions(
                 "which": Choose(Equal(mode, STARTS), last, NONE),
                 "earliest_delay": 0,
                 "began": clock,
-                "undecided_time": Choose(bounded, sp.oo, 0),
+                "undecided_time": Choose(_BOUNDED, sp.oo, 0),
                 "begins": Equal(mode, BEGINS),
                 "rolling": Equal(mode, ROLLS),
                 **ending,
@@ -260,7 +259,7 @@ def _contact_decisions(
                             ),
                             edge,
                         ),
-                        Not(all_of(Less(0, assured), Equal(which, last), bounded)),
+                        Not(all_of(Less(0, assured), Equal(which, last), _BOUNDED)),
                     ),
                     1,
                     uncertain,
@@ -295,6 +294,10 @@ def _contact_decisions(
         ),
         decision("detachment", {"which": codes.hops}, "Event: the ball is off the surface."),
     )
+
+
+_BOUNDED = all_of(Less(position_error, sp.oo), Less(velocity_error, sp.oo))
+"""True if the errors have bounds: they are no number if they have none."""
 
 
 def _results(
@@ -379,7 +382,11 @@ def _results(
                     outcome,
                 ),
                 "slip_left": Choose(all_of(nearly, slides), 1, 0),
-                "uncertain": Choose(Or(lodges, all_of(undecided, asked)), 1, uncertain),
+                "uncertain": Choose(
+                    any_of(lodges, all_of(undecided, asked), all_of(nearly, Not(_BOUNDED))),
+                    1,
+                    uncertain,
+                ),
             },
             "Whether the ball stays on the surface, slides, leaves, or is wedged.",
         ),

@@ -20,6 +20,7 @@ from ..motion.flight import Flight
 from ..motion.rolling_series import per_reach, per_width
 from ..symbolic.conditionals import (
     AtMost,
+    Boolean,
     Choose,
     IfLess,
     Less,
@@ -35,7 +36,7 @@ from ..symbolic.conditionals import (
     minimum,
 )
 from ..symbolic.rounding import position_error, velocity_error
-from ..symbolic.symbols import UNIT_ROUNDOFF, normal, spin, velocity
+from ..symbolic.symbols import UNIT_ROUNDOFF, normal, position, spin, velocity
 from .start import Start
 from .symbols import (
     bounce,
@@ -53,6 +54,7 @@ from .symbols import (
     second_contact_gap,
     slip,
     turning,
+    uncertain,
     weight,
 )
 
@@ -222,8 +224,9 @@ def _undecided_force(strength: sp.Expr, speed: sp.Expr, slope: sp.Expr) -> sp.Ba
     """Return whether the errors may change the sign of what presses the ball onto the surface.
 
     That is the normal force if the ball rolls, and minus the second derivative of the gap if it
-    flies. Both are a·n + v·K v, with the curvature K of the surface. An error of the place turns n
-    by K times its length, and changes K, relatively, by as much.
+    flies. Without air both are a·n + v·K v, with the curvature K of the surface. An error of the
+    place turns n by K times its length, and changes K, relatively, by as much. The last term is the
+    rounding of the force.
 
     Parameters
     ----------
@@ -266,8 +269,17 @@ def settling_kernels(
         {"nearest": minimum(nearest, absolute(gap))},
         "Distance to a seam of the surface that the ball is on.",
     )
+    # On which side of a seam the ball is decides how the surface bends under it.
+    rounding = 8 * UNIT_ROUNDOFF * barrier(sum(map(absolute, position)) + ball.radius)
+    on_seam = AtMost(absolute(gap), barrier(4 * position_error + rounding))
+    asked = all_of(Boolean("nearly"), on_seam)
     return (
         *((seams,) if oblique else ()),
+        decision(
+            "seam_undecided",
+            {"uncertain": Choose(asked, 1, uncertain)},
+            "1 if a ball that may stay on a surface is on a seam of it, within the errors.",
+        ),
         loop_kernel(
             "roll_turn_rate",
             {"turn_rate": ball.radius * barrier(spin.dot(normal))},

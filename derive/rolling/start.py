@@ -69,8 +69,8 @@ def one_of(surface: sp.Expr, indices: Sequence[int]) -> sp.Basic:
 def start_limits(strength: sp.Expr, ball_radius: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """Return the speed and the force below which those of a ball at the start are roundings.
 
-    They are 32 u of its speeds, more where its place has more roundings than its radius, and 2⁻⁴²
-    of free fall and the centripetal acceleration on a curve like the ball.
+    They are 32 u of its speeds, times 1 + |x|/R for the roundings of its place, which turn the
+    normal, and 2⁻⁴² of free fall and v²/R, the centripetal acceleration on a curve like the ball.
 
     Parameters
     ----------
@@ -104,7 +104,8 @@ class Start:
     along
         True if it starts along the surface, to roundings.
     enters
-        True if it starts with a velocity into the surface.
+        True if it starts with a velocity into the surface; of one that was taken away less than
+        half the limit is left.
     departs
         True if its contact ends at once: nothing presses it on, to roundings, and the gap opens.
     may_depart
@@ -114,7 +115,9 @@ class Start:
     def __init__(self, strength: sp.Expr, ball_radius: sp.Expr) -> None:
         speed_limit, force_limit = start_limits(strength, ball_radius)
         inward, force = barrier(-velocity.dot(normal)), absolute(lift)
-        self.along = all_of(Equal(mode, STARTS), AtMost(bounce, speed_limit))
+        self.along = all_of(
+            Equal(mode, STARTS), AtMost(bounce, speed_limit), AtMost(inward, speed_limit)
+        )
         self.enters = all_of(Equal(mode, STARTS), Less(speed_limit / 2, inward))
         opens = all_of(self.along, Less(0, gap_jerk))
         self.departs = all_of(opens, AtMost(force, force_limit))

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation ba8efae2d0966445,
+   Generated from templates/c/kernels.h.j2, scene court, derivation f8a3aedb42671401,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -1793,6 +1793,19 @@ LANES(court_roll_step)(V nx_8, V ny_8, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V
     return (LANES(court_roll_step_out)){ _s8, lanes_mul(K(1.7763568394002505e-15), _s1), _s19, lanes_add(lanes_mul(_s19, _s8), _s0), lanes_add(lift_0, lanes_mul(lanes_mul(_c0, nz_0), _c2)), lanes_add(lift_1, lanes_mul(_s20, _c2)), _s26, lanes_neg(lanes_mul(lanes_mul(K(2.0), lanes_neg(_s20)), _c2)) };
 }
 
+/* 1 if a ball that may stay on a surface is on a seam of it, within the errors.
+   Table 1. 13 operations: 4 additions, 2 multiplications, 4 absolute values, 1 comparison, 1 conjunction, 1 selection. */
+typedef struct {
+    V uncertain;
+} LANES(court_seam_undecided_out);
+
+LANES_INLINE LANES(court_seam_undecided_out)
+LANES(court_seam_undecided)(V x, V y, V z, V gap, V position_error, V uncertain, M nearly, V _c0)
+{
+    const V _s0 = lanes_add(lanes_mul(K(4.0), position_error), lanes_mul(K(8.881784197001252e-16), lanes_add(lanes_add(lanes_add(_c0, lanes_abs(x)), lanes_abs(y)), lanes_abs(z))));
+    return (LANES(court_seam_undecided_out)){ lanes_select(lanes_both(nearly, lanes_at_most(lanes_abs(gap), _s0)), K(1.0), uncertain) };
+}
+
 /* Spin about the normal, times the ball's radius.
    s = R_B (w·n). 6 operations: 2 additions, 4 multiplications. */
 typedef struct {
@@ -2533,16 +2546,16 @@ LANES(court_stay_in_contact)(V last, V which, V undecided_time, V body, V clock,
 }
 
 /* Whether the ball stays on the surface, slides, leaves, or is wedged.
-   Table 1. 20 operations: 2 comparisons, 5 conjunctions, 4 disjunctions, 1 complement, 8 selections. */
+   Table 1. 26 operations: 4 comparisons, 7 conjunctions, 5 disjunctions, 2 complements, 8 selections. */
 typedef struct {
     V mode, held, outcome, slip_left, uncertain;
 } LANES(court_settled_out);
 
 LANES_INLINE LANES(court_settled_out)
-LANES(court_settled)(V index, V outcome, V uncertain, M undecided, V mode, M settles, M nearly, M lodges, M slides, M unpressed)
+LANES(court_settled)(V index, V position_error, V velocity_error, V outcome, V uncertain, M undecided, V mode, M settles, M nearly, M lodges, M slides, M unpressed)
 {
-    const V _s0 = lanes_select(lanes_either(lodges, lanes_both(undecided, lanes_either(nearly, lanes_not(lanes_equal(mode, K(5.0)))))), K(1.0), uncertain);
-    return (LANES(court_settled_out)){ lanes_select(nearly, lanes_select(settles, K(1.0), lanes_select(unpressed, K(3.0), K(0.0))), K(0.0)), lanes_select(lanes_both(nearly, lanes_either(settles, unpressed)), index, K(-1.0)), lanes_select(lanes_both(lanes_both(nearly, lanes_either(lodges, slides)), lanes_less(outcome, K(0.0))), lanes_select(lodges, K(5.0), K(2.0)), outcome), lanes_select(lanes_both(nearly, slides), K(1.0), K(0.0)), _s0 };
+    const M _s0 = lanes_either(lanes_either(lodges, lanes_both(undecided, lanes_either(nearly, lanes_not(lanes_equal(mode, K(5.0)))))), lanes_both(nearly, lanes_not(lanes_both(lanes_less(position_error, K(INFINITY)), lanes_less(velocity_error, K(INFINITY))))));
+    return (LANES(court_settled_out)){ lanes_select(nearly, lanes_select(settles, K(1.0), lanes_select(unpressed, K(3.0), K(0.0))), K(0.0)), lanes_select(lanes_both(nearly, lanes_either(settles, unpressed)), index, K(-1.0)), lanes_select(lanes_both(lanes_both(nearly, lanes_either(lodges, slides)), lanes_less(outcome, K(0.0))), lanes_select(lodges, K(5.0), K(2.0)), outcome), lanes_select(lanes_both(nearly, slides), K(1.0), K(0.0)), lanes_select(_s0, K(1.0), uncertain) };
 }
 
 /* Square of the friction that rolling takes, per unit mass, and its rate.
@@ -2700,7 +2713,7 @@ LANES(court_ring_impact_undecided)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V n
 }
 
 /* Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
-   a geometric series of bounces. 214 operations: 34 additions, 3 subtractions, 61 multiplications, 10 divisions, 1 square root, 2 negations, 22 absolute values, 32 comparisons, 31 conjunctions, 10 disjunctions, 5 complements, 3 selections. */
+   a geometric series of bounces. 216 operations: 34 additions, 3 subtractions, 61 multiplications, 10 divisions, 1 square root, 2 negations, 22 absolute values, 33 comparisons, 32 conjunctions, 10 disjunctions, 5 complements, 3 selections. */
 typedef struct {
     M settles, lodges, slides, unpressed;
     V assured;
@@ -2733,28 +2746,29 @@ LANES(court_ring_impact_settling)(V x, V y, V z, V nx, V ny, V nz, V vx, V vy, V
     const M _s20 = lanes_equal(mode, K(5.0));
     const V _s21 = lanes_mul(K(3.552713678800501e-15), lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(x), lanes_abs(y)), lanes_abs(z)), _c0)));
     const V _s22 = lanes_mul(_s21, lanes_add(lanes_add(lanes_add(_s3, lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz)));
-    const M _s23 = lanes_both(_s20, lanes_at_most(bounce, _s22));
-    const M _s24 = lanes_both(_s23, lanes_less(K(0.0), gap_jerk));
-    const V _s25 = lanes_abs(lift);
-    const V _s26 = lanes_mul(K(2.2737367544323206e-13), lanes_add(_c1, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), _c0)));
-    const M _s27 = lanes_both(_s24, lanes_at_most(_s25, _s26));
-    const M _s28 = lanes_not(_s27);
-    const V _s29 = lanes_neg(lift);
-    const V _s30 = lanes_min(_s29, press);
-    const V _s31 = lanes_div(bounce, _s30);
-    const M _s32 = lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), _s30), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s31), _s6), lanes_mul(_c4, _s30))), lanes_less(lanes_add(_c9, lanes_div(lanes_mul(lanes_mul(K(16.0), _s31), _s4), _c3)), nearest));
-    const M _s33 = lanes_both(_s32, lanes_at_most(lanes_add(lanes_mul(_s12, _s31), lanes_div(lanes_mul(_s13, lanes_mul(_s31, _s31)), _c6)), _c8));
-    const V _s34 = lanes_add(lanes_div(lanes_mul(K(2.0), lanes_add(lanes_mul(_s9, _s31), lanes_select(lanes_less(K(0.0), bounce), lanes_mul(bounce, _c5), K(0.0)))), _c10), lanes_mul(K(1.4551915228366852e-11), _s7));
-    const M _s35 = lanes_both(_s20, lanes_less(lanes_mul(K(0.5), _s22), lanes_neg(lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz)))));
-    const V _s36 = lanes_add(slip, _s4);
-    const V _s37 = lanes_abs(per_reach);
-    const V _s38 = lanes_add(_c1, lanes_mul(lanes_mul(_s36, _s36), _s37));
-    const V _s39 = lanes_add(lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(position_error, _s38), lanes_mul(velocity_error, _s36))), _s37), lanes_mul(K(3.552713678800501e-15), _s38));
-    const M _s40 = lanes_both(lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s14, _c8))), lanes_mul(lanes_mul(K(2.0), velocity_error), _c8)), lanes_less(K(0.0), lanes_mul(_c2, bounce))), lanes_not(_s23));
-    const V _s41 = lanes_mul(K(8.0), velocity_error);
-    const M _s42 = lanes_both(_s33, lanes_either(lanes_less(lanes_abs(lanes_sub(slip, _s34)), _s41), lanes_less(lanes_abs(lanes_sub(_s9, _s10)), lanes_mul(_s41, lanes_add(lanes_mul(_c5, _s2), _s2)))));
-    const M _s43 = lanes_either(lanes_either(lanes_either(lanes_either(lanes_at_most(lanes_abs(press), _s39), lanes_at_most(_s25, _s39)), _s40), _s42), lanes_both(lanes_both(_s15, _s19), lanes_not(_s18)));
-    return (LANES(court_ring_impact_settling_out)){ lanes_both(lanes_both(lanes_both(_s15, lanes_not(_s16)), lanes_either(_s18, _s19)), _s28), lanes_both(lanes_both(_s15, _s16), _s28), lanes_both(lanes_both(_s33, lanes_either(lanes_less(_s34, slip), lanes_less(_s10, _s9))), _s28), lanes_either(lanes_both(lanes_both(lanes_at_most(bounce, _s8), lanes_at_most(K(0.0), lift)), lanes_not(_s35)), _s27), lanes_select(lanes_either(lanes_both(_s11, _s18), _s32), K(1.0), K(0.0)), lanes_either(lanes_both(_s43, _s28), lanes_both(_s24, lanes_both(lanes_less(lanes_mul(K(0.5), _s26), _s25), lanes_less(_s25, lanes_mul(K(2.0), _s26))))) };
+    const V _s23 = lanes_neg(lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz)));
+    const M _s24 = lanes_both(lanes_both(_s20, lanes_at_most(bounce, _s22)), lanes_at_most(_s23, _s22));
+    const M _s25 = lanes_both(_s24, lanes_less(K(0.0), gap_jerk));
+    const V _s26 = lanes_abs(lift);
+    const V _s27 = lanes_mul(K(2.2737367544323206e-13), lanes_add(_c1, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), _c0)));
+    const M _s28 = lanes_both(_s25, lanes_at_most(_s26, _s27));
+    const M _s29 = lanes_not(_s28);
+    const V _s30 = lanes_neg(lift);
+    const V _s31 = lanes_min(_s30, press);
+    const V _s32 = lanes_div(bounce, _s31);
+    const M _s33 = lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), _s31), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s32), _s6), lanes_mul(_c4, _s31))), lanes_less(lanes_add(_c9, lanes_div(lanes_mul(lanes_mul(K(16.0), _s32), _s4), _c3)), nearest));
+    const M _s34 = lanes_both(_s33, lanes_at_most(lanes_add(lanes_mul(_s12, _s32), lanes_div(lanes_mul(_s13, lanes_mul(_s32, _s32)), _c6)), _c8));
+    const V _s35 = lanes_add(lanes_div(lanes_mul(K(2.0), lanes_add(lanes_mul(_s9, _s32), lanes_select(lanes_less(K(0.0), bounce), lanes_mul(bounce, _c5), K(0.0)))), _c10), lanes_mul(K(1.4551915228366852e-11), _s7));
+    const M _s36 = lanes_either(lanes_both(lanes_both(lanes_at_most(bounce, _s8), lanes_at_most(K(0.0), lift)), lanes_not(lanes_both(_s20, lanes_less(lanes_mul(K(0.5), _s22), _s23)))), _s28);
+    const V _s37 = lanes_add(slip, _s4);
+    const V _s38 = lanes_abs(per_reach);
+    const V _s39 = lanes_add(_c1, lanes_mul(lanes_mul(_s37, _s37), _s38));
+    const V _s40 = lanes_add(lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(position_error, _s39), lanes_mul(velocity_error, _s37))), _s38), lanes_mul(K(3.552713678800501e-15), _s39));
+    const M _s41 = lanes_both(lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s14, _c8))), lanes_mul(lanes_mul(K(2.0), velocity_error), _c8)), lanes_less(K(0.0), lanes_mul(_c2, bounce))), lanes_not(_s24));
+    const V _s42 = lanes_mul(K(8.0), velocity_error);
+    const M _s43 = lanes_both(_s34, lanes_either(lanes_less(lanes_abs(lanes_sub(slip, _s35)), _s42), lanes_less(lanes_abs(lanes_sub(_s9, _s10)), lanes_mul(_s42, lanes_add(lanes_mul(_c5, _s2), _s2)))));
+    const M _s44 = lanes_either(lanes_either(lanes_either(lanes_either(lanes_at_most(lanes_abs(press), _s40), lanes_at_most(_s26, _s40)), _s41), _s43), lanes_both(lanes_both(_s15, _s19), lanes_not(_s18)));
+    return (LANES(court_ring_impact_settling_out)){ lanes_both(lanes_both(lanes_both(_s15, lanes_not(_s16)), lanes_either(_s18, _s19)), _s29), lanes_both(lanes_both(_s15, _s16), _s29), lanes_both(lanes_both(_s34, lanes_either(lanes_less(_s35, slip), lanes_less(_s10, _s9))), _s29), _s36, lanes_select(lanes_either(lanes_both(_s11, _s18), _s33), K(1.0), K(0.0)), lanes_either(lanes_both(_s44, _s29), lanes_both(_s25, lanes_both(lanes_less(lanes_mul(K(0.5), _s27), _s26), lanes_less(_s26, lanes_mul(K(2.0), _s27))))) };
 }
 
 /* Excess F² - mu² N² and its rate.

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation ba8efae2d0966445,
+   Generated from templates/c/loop.h.j2, scene court, derivation f8a3aedb42671401,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -3154,6 +3154,9 @@ LANES_APART void LOOP(fix_slow_rows_1)(LOOP(worklist) *worklist, size_t i)
         FIX(115, lanes_neg(_s232)); FIX(116, _s235); FIX(117, lanes_neg(_s235)); FIX(118, _s240);
         FIX(119, lanes_neg(_s240)); FIX(120, _s245); FIX(121, lanes_neg(_s245)); FIX(122, _s248);
         FIX(123, lanes_neg(_s248)); FIX(124, _s255); FIX(125, lanes_neg(_s255));
+#if BOUNDED
+        FIX(134, p_bridge_depth);
+#endif
         FIX(159, lanes_mul(K(3.0), p_gravity));
         FIX(160, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
         FIX(171, lanes_mul(K(7.275957614183426e-12), p_ball_radius)); FIX(173, p_ring_restitution);
@@ -3290,7 +3293,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(GET_MASK, _ring_impact_settling_1, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_7, _ring_impact_settling_1), assured))
             EACH(GET_MASK, _ring_impact_settling_1, undecided)
-            CALL(court_settled, _settled_1)(K(0.0), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
+            CALL(court_settled, _settled_1)(K(0.0), OR_ZERO(position_error), OR_ZERO(velocity_error), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
             EACH(SELECT, (_if_here_7, _settled_1), mode, held, outcome, slip_left)
             BOUNDS(EACH(SELECT, (_if_here_7, _settled_1), uncertain))
         }
@@ -3325,9 +3328,35 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(GET_MASK, _ring_impact_settling_2, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_8, _ring_impact_settling_2), assured))
             EACH(GET_MASK, _ring_impact_settling_2, undecided)
-            CALL(court_settled, _settled_2)(K(1.0), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
+            CALL(court_settled, _settled_2)(K(1.0), OR_ZERO(position_error), OR_ZERO(velocity_error), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
             EACH(SELECT, (_if_here_8, _settled_2), mode, held, outcome, slip_left)
-            BOUNDS(EACH(SELECT, (_if_here_8, _settled_2), uncertain))
+#if BOUNDED
+            EACH(SELECT, (_if_here_8, _settled_2), uncertain)
+            CALL(court_backboard_seam0, _backboard_seam0_1)(x, vx, FIXED(15), FIXED(114));
+            EACH(SET, _backboard_seam0_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_1)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_8, _seam_undecided_1), uncertain)
+            CALL(court_backboard_seam1, _backboard_seam1_1)(x, vx, FIXED(9), FIXED(114));
+            EACH(SET, _backboard_seam1_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_2)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_8, _seam_undecided_2), uncertain)
+            CALL(court_backboard_seam2, _backboard_seam2_1)(y, vy, FIXED(10), FIXED(116));
+            EACH(SET, _backboard_seam2_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_3)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_8, _seam_undecided_3), uncertain)
+            CALL(court_backboard_seam3, _backboard_seam3_1)(y, vy, FIXED(10), FIXED(116));
+            EACH(SET, _backboard_seam3_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_4)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_8, _seam_undecided_4), uncertain)
+            CALL(court_backboard_seam4, _backboard_seam4_1)(z, vz, FIXED(11), FIXED(118));
+            EACH(SET, _backboard_seam4_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_5)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_8, _seam_undecided_5), uncertain)
+            CALL(court_backboard_seam5, _backboard_seam5_1)(z, vz, FIXED(12), FIXED(118));
+            EACH(SET, _backboard_seam5_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_6)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_8, _seam_undecided_6), uncertain)
+#endif
         }
         CALL(court_here, _here_9)(K(2.0), which);
         EACH(SET, _here_9, here)
@@ -3360,9 +3389,35 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(GET_MASK, _ring_impact_settling_3, settles, lodges, slides, unpressed)
             BOUNDS(EACH(SELECT, (_if_here_9, _ring_impact_settling_3), assured))
             EACH(GET_MASK, _ring_impact_settling_3, undecided)
-            CALL(court_settled, _settled_3)(K(2.0), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
+            CALL(court_settled, _settled_3)(K(2.0), OR_ZERO(position_error), OR_ZERO(velocity_error), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
             EACH(SELECT, (_if_here_9, _settled_3), mode, held, outcome, slip_left)
-            BOUNDS(EACH(SELECT, (_if_here_9, _settled_3), uncertain))
+#if BOUNDED
+            EACH(SELECT, (_if_here_9, _settled_3), uncertain)
+            CALL(court_bridge_seam0, _bridge_seam0_1)(x, vx, FIXED(9), FIXED(120));
+            EACH(SET, _bridge_seam0_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_7)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_9, _seam_undecided_7), uncertain)
+            CALL(court_bridge_seam1, _bridge_seam1_1)(x, vx, FIXED(7), FIXED(120));
+            EACH(SET, _bridge_seam1_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_8)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_9, _seam_undecided_8), uncertain)
+            CALL(court_bridge_seam2, _bridge_seam2_1)(y, vy, FIXED(13), FIXED(122));
+            EACH(SET, _bridge_seam2_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_9)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_9, _seam_undecided_9), uncertain)
+            CALL(court_bridge_seam3, _bridge_seam3_1)(y, vy, FIXED(13), FIXED(122));
+            EACH(SET, _bridge_seam3_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_10)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_9, _seam_undecided_10), uncertain)
+            CALL(court_bridge_seam4, _bridge_seam4_1)(z, vz, FIXED(134), FIXED(8), FIXED(124));
+            EACH(SET, _bridge_seam4_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_11)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_9, _seam_undecided_11), uncertain)
+            CALL(court_bridge_seam5, _bridge_seam5_1)(z, vz, FIXED(8), FIXED(124));
+            EACH(SET, _bridge_seam5_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_12)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_9, _seam_undecided_12), uncertain)
+#endif
         }
         EACH(STORE, slow_, held, mode, outcome, slip_left)
 #if BOUNDED

@@ -1,6 +1,6 @@
 /* The event loop of the scene court in CUDA: a thread takes one shot from its release to its end.
 
-   Generated from templates/cuda/scene.cu.j2, scene court, derivation ba8efae2d0966445,
+   Generated from templates/cuda/scene.cu.j2, scene court, derivation f8a3aedb42671401,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    It needs no header. To give the bits of NumPy and C it is compiled with --fmad=false, --ftz=false,
@@ -1816,6 +1816,18 @@ static __device__ __forceinline__ kernel_roll_step_out kernel_roll_step(double p
     return {_s8, 1.7763568394002505e-15 * _s1, _s19, (_s19 * _s8) + _s0, lift_0 + ((p_gravity * nz_0) * _s20), lift_1 + (_s21 * _s20), _s27, -((2.0 * (-_s21)) * _s20)};
 }
 
+/* 1 if a ball that may stay on a surface is on a seam of it, within the errors.
+   Table 1. 13 operations: 4 additions, 2 multiplications, 4 absolute values, 1 comparison, 1 conjunction, 1 selection. */
+struct kernel_seam_undecided_out {
+    double uncertain;
+};
+
+static __device__ __forceinline__ kernel_seam_undecided_out kernel_seam_undecided(double p_ball_radius, double x, double y, double z, double gap, double position_error, double uncertain, bool nearly)
+{
+    const double _s0 = (4.0 * position_error) + (8.881784197001252e-16 * (((p_ball_radius + fabs(x)) + fabs(y)) + fabs(z)));
+    return {choose((nearly && (fabs(gap) <= _s0)), 1.0, uncertain)};
+}
+
 /* Spin about the normal, times the ball's radius.
    s = R_B (w·n). 6 operations: 2 additions, 4 multiplications. */
 struct kernel_roll_turn_rate_out {
@@ -2516,15 +2528,15 @@ static __device__ __forceinline__ kernel_stay_in_contact_out kernel_stay_in_cont
 }
 
 /* Whether the ball stays on the surface, slides, leaves, or is wedged.
-   Table 1. 20 operations: 2 comparisons, 5 conjunctions, 4 disjunctions, 1 complement, 8 selections. */
+   Table 1. 26 operations: 4 comparisons, 7 conjunctions, 5 disjunctions, 2 complements, 8 selections. */
 struct kernel_settled_out {
     double mode, held, outcome, slip_left, uncertain;
 };
 
-static __device__ __forceinline__ kernel_settled_out kernel_settled(double index, double outcome, double uncertain, bool undecided, double mode, bool settles, bool nearly, bool lodges, bool slides, bool unpressed)
+static __device__ __forceinline__ kernel_settled_out kernel_settled(double index, double position_error, double velocity_error, double outcome, double uncertain, bool undecided, double mode, bool settles, bool nearly, bool lodges, bool slides, bool unpressed)
 {
-    const double _s0 = choose((lodges || (undecided && (nearly || (!(mode == 5.0))))), 1.0, uncertain);
-    return {choose(nearly, choose(settles, 1.0, choose(unpressed, 3.0, 0.0)), 0.0), choose((nearly && (settles || unpressed)), index, -1.0), choose(((nearly && (lodges || slides)) && (outcome < 0.0)), choose(lodges, 5.0, 2.0), outcome), choose((nearly && slides), 1.0, 0.0), _s0};
+    const bool _s0 = (lodges || (undecided && (nearly || (!(mode == 5.0))))) || (nearly && (!((position_error < (INFINITE)) && (velocity_error < (INFINITE)))));
+    return {choose(nearly, choose(settles, 1.0, choose(unpressed, 3.0, 0.0)), 0.0), choose((nearly && (settles || unpressed)), index, -1.0), choose(((nearly && (lodges || slides)) && (outcome < 0.0)), choose(lodges, 5.0, 2.0), outcome), choose((nearly && slides), 1.0, 0.0), choose(_s0, 1.0, uncertain)};
 }
 
 /* Square of the friction that rolling takes, per unit mass, and its rate.
@@ -2677,7 +2689,7 @@ static __device__ __forceinline__ kernel_ring_impact_undecided_out kernel_ring_i
 }
 
 /* Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
-   a geometric series of bounces. 225 operations: 36 additions, 4 subtractions, 68 multiplications, 11 divisions, 1 square root, 2 negations, 22 absolute values, 32 comparisons, 31 conjunctions, 10 disjunctions, 5 complements, 3 selections. */
+   a geometric series of bounces. 227 operations: 36 additions, 4 subtractions, 68 multiplications, 11 divisions, 1 square root, 2 negations, 22 absolute values, 33 comparisons, 32 conjunctions, 10 disjunctions, 5 complements, 3 selections. */
 struct kernel_ring_impact_settling_out {
     bool settles, lodges, slides, unpressed;
     double assured;
@@ -2717,28 +2729,29 @@ static __device__ __forceinline__ kernel_ring_impact_settling_out kernel_ring_im
     const bool _s28 = mode == 5.0;
     const double _s29 = 3.552713678800501e-15 * (1.0 + (((fabs(x) + fabs(y)) + fabs(z)) / p_ball_radius));
     const double _s30 = _s29 * (((_s4 + fabs(vx)) + fabs(vy)) + fabs(vz));
-    const bool _s31 = _s28 && (bounce <= _s30);
-    const bool _s32 = _s31 && (0.0 < gap_jerk);
-    const double _s33 = fabs(lift);
-    const double _s34 = 2.2737367544323206e-13 * (p_gravity + ((((vx * vx) + (vy * vy)) + (vz * vz)) / p_ball_radius));
-    const bool _s35 = _s32 && (_s33 <= _s34);
-    const bool _s36 = !_s35;
-    const double _s37 = -lift;
-    const double _s38 = smaller(_s37, press);
-    const double _s39 = bounce / _s38;
-    const bool _s40 = (((0.0 < _s38) && _s1) && (((3.0 * _s39) * _s7) < (_s8 * _s38))) && ((_s23 + (((16.0 * _s39) * _s5) / _s0)) < nearest);
-    const bool _s41 = _s40 && (((_s16 * _s39) + ((_s18 * (_s39 * _s39)) / _s17)) <= _s21);
-    const double _s42 = ((2.0 * ((_s11 * _s39) + choose((0.0 < bounce), (bounce * _s13), 0.0))) / (_s19 * _s0)) + (1.4551915228366852e-11 * _s9);
-    const bool _s43 = _s28 && ((0.5 * _s30) < (-(((nx * vx) + (ny * vy)) + (nz * vz))));
-    const double _s44 = slip + _s5;
-    const double _s45 = fabs(per_reach);
-    const double _s46 = p_gravity + ((_s44 * _s44) * _s45);
-    const double _s47 = ((8.0 * ((position_error * _s46) + (velocity_error * _s44))) * _s45) + (3.552713678800501e-15 * _s46);
-    const bool _s48 = (((bounce * fabs((_s20 - _s21))) <= ((2.0 * velocity_error) * _s21)) && (0.0 < (p_ring_restitution * bounce))) && (!_s31);
-    const double _s49 = 8.0 * velocity_error;
-    const bool _s50 = _s41 && ((fabs((slip - _s42)) < _s49) || (fabs((_s11 - _s14)) < (_s49 * ((_s13 * _s3) + _s3))));
-    const bool _s51 = ((((fabs(press) <= _s47) || (_s33 <= _s47)) || _s48) || _s50) || ((_s22 && _s27) && (!_s26));
-    return {((_s22 && (!_s24)) && (_s26 || _s27)) && _s36, (_s22 && _s24) && _s36, (_s41 && ((_s42 < slip) || (_s14 < _s11))) && _s36, (((bounce <= _s10) && (0.0 <= lift)) && (!_s43)) || _s35, choose(((_s15 && _s26) || _s40), 1.0, 0.0), (_s51 && _s36) || (_s32 && (((0.5 * _s34) < _s33) && (_s33 < (2.0 * _s34))))};
+    const double _s31 = -(((nx * vx) + (ny * vy)) + (nz * vz));
+    const bool _s32 = (_s28 && (bounce <= _s30)) && (_s31 <= _s30);
+    const bool _s33 = _s32 && (0.0 < gap_jerk);
+    const double _s34 = fabs(lift);
+    const double _s35 = 2.2737367544323206e-13 * (p_gravity + ((((vx * vx) + (vy * vy)) + (vz * vz)) / p_ball_radius));
+    const bool _s36 = _s33 && (_s34 <= _s35);
+    const bool _s37 = !_s36;
+    const double _s38 = -lift;
+    const double _s39 = smaller(_s38, press);
+    const double _s40 = bounce / _s39;
+    const bool _s41 = (((0.0 < _s39) && _s1) && (((3.0 * _s40) * _s7) < (_s8 * _s39))) && ((_s23 + (((16.0 * _s40) * _s5) / _s0)) < nearest);
+    const bool _s42 = _s41 && (((_s16 * _s40) + ((_s18 * (_s40 * _s40)) / _s17)) <= _s21);
+    const double _s43 = ((2.0 * ((_s11 * _s40) + choose((0.0 < bounce), (bounce * _s13), 0.0))) / (_s19 * _s0)) + (1.4551915228366852e-11 * _s9);
+    const bool _s44 = (((bounce <= _s10) && (0.0 <= lift)) && (!(_s28 && ((0.5 * _s30) < _s31)))) || _s36;
+    const double _s45 = slip + _s5;
+    const double _s46 = fabs(per_reach);
+    const double _s47 = p_gravity + ((_s45 * _s45) * _s46);
+    const double _s48 = ((8.0 * ((position_error * _s47) + (velocity_error * _s45))) * _s46) + (3.552713678800501e-15 * _s47);
+    const bool _s49 = (((bounce * fabs((_s20 - _s21))) <= ((2.0 * velocity_error) * _s21)) && (0.0 < (p_ring_restitution * bounce))) && (!_s32);
+    const double _s50 = 8.0 * velocity_error;
+    const bool _s51 = _s42 && ((fabs((slip - _s43)) < _s50) || (fabs((_s11 - _s14)) < (_s50 * ((_s13 * _s3) + _s3))));
+    const bool _s52 = ((((fabs(press) <= _s48) || (_s34 <= _s48)) || _s49) || _s51) || ((_s22 && _s27) && (!_s26));
+    return {((_s22 && (!_s24)) && (_s26 || _s27)) && _s37, (_s22 && _s24) && _s37, (_s42 && ((_s43 < slip) || (_s14 < _s11))) && _s37, _s44, choose(((_s15 && _s26) || _s41), 1.0, 0.0), (_s52 && _s37) || (_s33 && (((0.5 * _s35) < _s34) && (_s34 < (2.0 * _s35))))};
 }
 
 /* Excess F² - mu² N² and its rate.
@@ -8725,7 +8738,7 @@ static __device__ __forceinline__ void court_loop(
                 undecided = _o531.undecided;
                 if (BOUNDS)
                     assured = _o531.assured;
-                const kernel_settled_out _o532 = kernel_settled(0.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                const kernel_settled_out _o532 = kernel_settled(0.0, position_error, velocity_error, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
                 mode = _o532.mode;
                 held = _o532.held;
                 outcome = _o532.outcome;
@@ -8783,111 +8796,163 @@ static __device__ __forceinline__ void court_loop(
                 undecided = _o545.undecided;
                 if (BOUNDS)
                     assured = _o545.assured;
-                const kernel_settled_out _o546 = kernel_settled(1.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                const kernel_settled_out _o546 = kernel_settled(1.0, position_error, velocity_error, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
                 mode = _o546.mode;
                 held = _o546.held;
                 outcome = _o546.outcome;
                 slip_left = _o546.slip_left;
                 if (BOUNDS)
                     uncertain = _o546.uncertain;
+                if (BOUNDS) {
+                    const kernel_backboard_seam0_out _o547 = kernel_backboard_seam0(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o547.gap;
+                    const kernel_seam_undecided_out _o548 = kernel_seam_undecided(p_ball_radius, x, y, z, gap, position_error, uncertain, nearly);
+                    uncertain = _o548.uncertain;
+                    const kernel_backboard_seam1_out _o549 = kernel_backboard_seam1(p_ball_radius, p_board_distance, p_board_thickness, x, vx);
+                    gap = _o549.gap;
+                    const kernel_seam_undecided_out _o550 = kernel_seam_undecided(p_ball_radius, x, y, z, gap, position_error, uncertain, nearly);
+                    uncertain = _o550.uncertain;
+                    const kernel_backboard_seam2_out _o551 = kernel_backboard_seam2(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o551.gap;
+                    const kernel_seam_undecided_out _o552 = kernel_seam_undecided(p_ball_radius, x, y, z, gap, position_error, uncertain, nearly);
+                    uncertain = _o552.uncertain;
+                    const kernel_backboard_seam3_out _o553 = kernel_backboard_seam3(p_ball_radius, p_board_half_width, y, vy);
+                    gap = _o553.gap;
+                    const kernel_seam_undecided_out _o554 = kernel_seam_undecided(p_ball_radius, x, y, z, gap, position_error, uncertain, nearly);
+                    uncertain = _o554.uncertain;
+                    const kernel_backboard_seam4_out _o555 = kernel_backboard_seam4(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o555.gap;
+                    const kernel_seam_undecided_out _o556 = kernel_seam_undecided(p_ball_radius, x, y, z, gap, position_error, uncertain, nearly);
+                    uncertain = _o556.uncertain;
+                    const kernel_backboard_seam5_out _o557 = kernel_backboard_seam5(p_ball_radius, p_board_bottom, p_board_top, z, vz);
+                    gap = _o557.gap;
+                    const kernel_seam_undecided_out _o558 = kernel_seam_undecided(p_ball_radius, x, y, z, gap, position_error, uncertain, nearly);
+                    uncertain = _o558.uncertain;
+                }
             }
-            const kernel_here_out _o547 = kernel_here(2.0, which);
-            here = _o547.here;
+            const kernel_here_out _o559 = kernel_here(2.0, which);
+            here = _o559.here;
             if (here) {
-                const kernel_bridge_rolling_surface_out _o548 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                per_reach = _o548.per_reach;
-                const kernel_bridge_turning_out _o549 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
-                turning_x = _o549.turning_x;
-                turning_y = _o549.turning_y;
-                turning_z = _o549.turning_z;
-                const kernel_pressed_on_out _o550 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
-                press = _o550.press;
-                weight = _o550.weight;
-                rolling_friction = _o550.rolling_friction;
-                rolling_acceleration_x = _o550.rolling_acceleration_x;
-                rolling_acceleration_y = _o550.rolling_acceleration_y;
-                rolling_acceleration_z = _o550.rolling_acceleration_z;
-                const kernel_isolated_out _o551 = kernel_isolated();
-                nearest = _o551.nearest;
-                second_contact_gap = _o551.second_contact_gap;
-                const kernel_ring_closing_out _o552 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o552.gap;
-                nearing = _o552.nearing;
-                rolling_gap_acceleration = _o552.rolling_gap_acceleration;
-                normal_cosine = _o552.normal_cosine;
-                const kernel_near_body_out _o553 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o553.nearest;
-                second_contact_gap = _o553.second_contact_gap;
-                const kernel_backboard_closing_out _o554 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
-                gap = _o554.gap;
-                nearing = _o554.nearing;
-                rolling_gap_acceleration = _o554.rolling_gap_acceleration;
-                normal_cosine = _o554.normal_cosine;
-                const kernel_near_body_out _o555 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-                nearest = _o555.nearest;
-                second_contact_gap = _o555.second_contact_gap;
-                const kernel_end_beside_out _o556 = kernel_end_beside(p_end_depth, z, vz);
-                gap = _o556.gap;
-                const kernel_near_end_plane_out _o557 = kernel_near_end_plane(gap, nearest);
-                nearest = _o557.nearest;
-                const kernel_bridge_separation_out _o558 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
-                lift = _o558.lift;
-                gap_jerk = _o558.gap_jerk;
-                const kernel_ring_impact_settling_out _o559 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_bridge_friction, p_bridge_restitution, x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, position_error, velocity_error, mode, per_reach, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
-                settles = _o559.settles;
-                lodges = _o559.lodges;
-                slides = _o559.slides;
-                unpressed = _o559.unpressed;
-                undecided = _o559.undecided;
+                const kernel_bridge_rolling_surface_out _o560 = kernel_bridge_rolling_surface(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                per_reach = _o560.per_reach;
+                const kernel_bridge_turning_out _o561 = kernel_bridge_turning(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, p_wire_radius, x, y, z, rolled_x, rolled_y, rolled_z);
+                turning_x = _o561.turning_x;
+                turning_y = _o561.turning_y;
+                turning_z = _o561.turning_z;
+                const kernel_pressed_on_out _o562 = kernel_pressed_on(p_ball_radius, p_gravity, p_inertia, nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z);
+                press = _o562.press;
+                weight = _o562.weight;
+                rolling_friction = _o562.rolling_friction;
+                rolling_acceleration_x = _o562.rolling_acceleration_x;
+                rolling_acceleration_y = _o562.rolling_acceleration_y;
+                rolling_acceleration_z = _o562.rolling_acceleration_z;
+                const kernel_isolated_out _o563 = kernel_isolated();
+                nearest = _o563.nearest;
+                second_contact_gap = _o563.second_contact_gap;
+                const kernel_ring_closing_out _o564 = kernel_ring_closing(p_ball_radius, p_ring_radius, p_wire_radius, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o564.gap;
+                nearing = _o564.nearing;
+                rolling_gap_acceleration = _o564.rolling_gap_acceleration;
+                normal_cosine = _o564.normal_cosine;
+                const kernel_near_body_out _o565 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o565.nearest;
+                second_contact_gap = _o565.second_contact_gap;
+                const kernel_backboard_closing_out _o566 = kernel_backboard_closing(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z);
+                gap = _o566.gap;
+                nearing = _o566.nearing;
+                rolling_gap_acceleration = _o566.rolling_gap_acceleration;
+                normal_cosine = _o566.normal_cosine;
+                const kernel_near_body_out _o567 = kernel_near_body(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+                nearest = _o567.nearest;
+                second_contact_gap = _o567.second_contact_gap;
+                const kernel_end_beside_out _o568 = kernel_end_beside(p_end_depth, z, vz);
+                gap = _o568.gap;
+                const kernel_near_end_plane_out _o569 = kernel_near_end_plane(gap, nearest);
+                nearest = _o569.nearest;
+                const kernel_bridge_separation_out _o570 = kernel_bridge_separation(p_board_distance, p_bridge_depth, p_bridge_half_width, p_gravity, p_ring_radius, p_wire_radius, x, y, z, vx, vy, vz);
+                lift = _o570.lift;
+                gap_jerk = _o570.gap_jerk;
+                const kernel_ring_impact_settling_out _o571 = kernel_ring_impact_settling(p_ball_radius, p_gravity, p_inertia, p_bridge_friction, p_bridge_restitution, x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, position_error, velocity_error, mode, per_reach, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk);
+                settles = _o571.settles;
+                lodges = _o571.lodges;
+                slides = _o571.slides;
+                unpressed = _o571.unpressed;
+                undecided = _o571.undecided;
                 if (BOUNDS)
-                    assured = _o559.assured;
-                const kernel_settled_out _o560 = kernel_settled(2.0, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
-                mode = _o560.mode;
-                held = _o560.held;
-                outcome = _o560.outcome;
-                slip_left = _o560.slip_left;
+                    assured = _o571.assured;
+                const kernel_settled_out _o572 = kernel_settled(2.0, position_error, velocity_error, outcome, uncertain, undecided, mode, settles, nearly, lodges, slides, unpressed);
+                mode = _o572.mode;
+                held = _o572.held;
+                outcome = _o572.outcome;
+                slip_left = _o572.slip_left;
                 if (BOUNDS)
-                    uncertain = _o560.uncertain;
+                    uncertain = _o572.uncertain;
+                if (BOUNDS) {
+                    const kernel_bridge_seam0_out _o573 = kernel_bridge_seam0(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o573.gap;
+                    const kernel_seam_undecided_out _o574 = kernel_seam_undecided(p_ball_radius, x, y, z, gap, position_error, uncertain, nearly);
+                    uncertain = _o574.uncertain;
+                    const kernel_bridge_seam1_out _o575 = kernel_bridge_seam1(p_ball_radius, p_board_distance, p_ring_radius, x, vx);
+                    gap = _o575.gap;
+                    const kernel_seam_undecided_out _o576 = kernel_seam_undecided(p_ball_radius, x, y, z, gap, position_error, uncertain, nearly);
+                    uncertain = _o576.uncertain;
+                    const kernel_bridge_seam2_out _o577 = kernel_bridge_seam2(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o577.gap;
+                    const kernel_seam_undecided_out _o578 = kernel_seam_undecided(p_ball_radius, x, y, z, gap, position_error, uncertain, nearly);
+                    uncertain = _o578.uncertain;
+                    const kernel_bridge_seam3_out _o579 = kernel_bridge_seam3(p_ball_radius, p_bridge_half_width, y, vy);
+                    gap = _o579.gap;
+                    const kernel_seam_undecided_out _o580 = kernel_seam_undecided(p_ball_radius, x, y, z, gap, position_error, uncertain, nearly);
+                    uncertain = _o580.uncertain;
+                    const kernel_bridge_seam4_out _o581 = kernel_bridge_seam4(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o581.gap;
+                    const kernel_seam_undecided_out _o582 = kernel_seam_undecided(p_ball_radius, x, y, z, gap, position_error, uncertain, nearly);
+                    uncertain = _o582.uncertain;
+                    const kernel_bridge_seam5_out _o583 = kernel_bridge_seam5(p_ball_radius, p_bridge_depth, p_wire_radius, z, vz);
+                    gap = _o583.gap;
+                    const kernel_seam_undecided_out _o584 = kernel_seam_undecided(p_ball_radius, x, y, z, gap, position_error, uncertain, nearly);
+                    uncertain = _o584.uncertain;
+                }
             }
         }
         if (BOUNDS) {
             if (limited) {
-                const kernel_ends_by_time_limit_out _o561 = kernel_ends_by_time_limit(4.0, which, claims);
-                ends_by_time_limit = _o561.ends_by_time_limit;
+                const kernel_ends_by_time_limit_out _o585 = kernel_ends_by_time_limit(4.0, which, claims);
+                ends_by_time_limit = _o585.ends_by_time_limit;
                 if (ends_by_time_limit) {
-                    const kernel_carry_time_out _o562 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = _o562.dx;
-                    dy = _o562.dy;
-                    dz = _o562.dz;
-                    dvx = _o562.dvx;
-                    dvy = _o562.dvy;
-                    dvz = _o562.dvz;
-                    clock_error = _o562.clock_error;
-                    const kernel_bound_time_out _o563 = kernel_bound_time(when, x, y, z, vx, vy, vz, clock, position_bound, velocity_bound, spin_bound, clock_bound, p_gravity);
-                    position_bound = _o563.position_bound;
-                    velocity_bound = _o563.velocity_bound;
-                    spin_bound = _o563.spin_bound;
-                    clock_bound = _o563.clock_bound;
+                    const kernel_carry_time_out _o586 = kernel_carry_time(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
+                    dx = _o586.dx;
+                    dy = _o586.dy;
+                    dz = _o586.dz;
+                    dvx = _o586.dvx;
+                    dvy = _o586.dvy;
+                    dvz = _o586.dvz;
+                    clock_error = _o586.clock_error;
+                    const kernel_bound_time_out _o587 = kernel_bound_time(when, x, y, z, vx, vy, vz, clock, position_bound, velocity_bound, spin_bound, clock_bound, p_gravity);
+                    position_bound = _o587.position_bound;
+                    velocity_bound = _o587.velocity_bound;
+                    spin_bound = _o587.spin_bound;
+                    clock_bound = _o587.clock_bound;
                 }
             }
             if (hopped) {
-                const kernel_carry_hop_out _o564 = kernel_carry_hop(x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, when);
-                dx = _o564.dx;
-                dy = _o564.dy;
-                dz = _o564.dz;
+                const kernel_carry_hop_out _o588 = kernel_carry_hop(x, y, z, vx, vy, vz, dx, dy, dz, dvx, dvy, dvz, when);
+                dx = _o588.dx;
+                dy = _o588.dy;
+                dz = _o588.dz;
             }
-            const kernel_closing_out _o565 = kernel_closing(outcome, claims);
-            reports = _o565.reports;
-            position_claim = _o565.position_claim;
-            velocity_claim = _o565.velocity_claim;
-            spin_claim = _o565.spin_claim;
-            time_claim = _o565.time_claim;
+            const kernel_closing_out _o589 = kernel_closing(outcome, claims);
+            reports = _o589.reports;
+            position_claim = _o589.position_claim;
+            velocity_claim = _o589.velocity_claim;
+            spin_claim = _o589.spin_claim;
+            time_claim = _o589.time_claim;
             if (reports) {
-                const kernel_claimed_errors_out _o566 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, position_bound, velocity_bound, spin_bound, estimated, clock_bound);
-                position_claim = _o566.position_error;
-                velocity_claim = _o566.velocity_error;
-                spin_claim = _o566.spin_error;
-                time_claim = _o566.time_error;
+                const kernel_claimed_errors_out _o590 = kernel_claimed_errors(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, position_bound, velocity_bound, spin_bound, estimated, clock_bound);
+                position_claim = _o590.position_error;
+                velocity_claim = _o590.velocity_error;
+                spin_claim = _o590.spin_error;
+                time_claim = _o590.time_error;
             }
         }
 

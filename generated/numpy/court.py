@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation ba8efae2d0966445,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation f8a3aedb42671401,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -444,6 +444,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "roll_moved": ("x", "vx", "y", "vy", "z", "vz", "turn_rate",),
     "roll_placed": ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz",),
     "roll_step": ("stride", "missed", "strongest", "fastest", "force", "force_rate", "force_bend", "friction_force_rate",),
+    "seam_undecided": ("uncertain",),
     "roll_turn_rate": ("turn_rate",),
     "pressed_on": ("press", "weight", "rolling_friction", "rolling_acceleration_x", "rolling_acceleration_y", "rolling_acceleration_z",),
     "leaves_slowly": ("slow", "assured",),
@@ -2508,6 +2509,16 @@ def roll_step(p_gravity: Any, p_inertia: Any, nx_8: Any, ny_8: Any, nz_0: Any, n
     return _s8, _k73 * _s1, _s19, _multiply(_s19, _s8, _r6) + _s0, lift_0 + _multiply(_multiply(p_gravity, nz_0, _r6), _s20, _r6), lift_1 + _multiply(_s21, _s20, _r6), _s27, -_multiply(_multiply(_k49, _negative(_s21, _r14), _r14), _s20, _r14)
 
 
+def seam_undecided(p_ball_radius: Any, x: Any, y: Any, z: Any, gap: Any, position_error: Any, uncertain: Any, nearly: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """1 if a ball that may stay on a surface is on a seam of it, within the errors.
+
+    Table 1. 13 operations: 4 additions, 2 multiplications, 4 absolute values, 1 comparison, 1 conjunction, 1 selection.
+    """
+    _r0, _r1, _r2 = _room[:3]
+    _s0 = _add(_multiply(_k91, position_error, _r0), _multiply(_k76, _add(_add(_add(p_ball_radius, _absolute(x, _r1), _r1), _absolute(y, _r2), _r2), _absolute(z, _r1), _r1), _r1), _r1)
+    return _result(_logical_and(nearly, (_absolute(gap, _r0) <= _s0)), _k39, uncertain, _r0),
+
+
 def roll_turn_rate(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
     """Spin about the normal, times the ball's radius.
 
@@ -3087,13 +3098,13 @@ def stay_in_contact(last: Any, which: Any, undecided_time: Any, body: Any, clock
     return _result(_s0, _add(_k91, _s1, _r3), _select(_s2, _add(_k94, _s1, _r2), _select(_s3, _k78, _select(_s4, _k90, body, _r0), _r1), _r4), _r0), _s8, _result(_s5, _k4, undecided_time, _r0), _logical_and(ends, _logical_not(_s6)), _s3, _result(_s3, _k78, last, _r0), _result(_logical_or(_s0, rolling), _k49, _select(_s7, _k94, _select(_s2, _k90, _k4, _r4), _r1), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, _k78, _r0), _result(_s0, _add(_k39, rolls, _r1), rolls, _r0)
 
 
-def settled(index: Any, outcome: Any, uncertain: Any, undecided: Any, mode: Any, settles: Any, nearly: Any, lodges: Any, slides: Any, unpressed: Any) -> tuple[Any, ...]:
+def settled(index: Any, position_error: Any, velocity_error: Any, outcome: Any, uncertain: Any, undecided: Any, mode: Any, settles: Any, nearly: Any, lodges: Any, slides: Any, unpressed: Any) -> tuple[Any, ...]:
     """Whether the ball stays on the surface, slides, leaves, or is wedged.
 
-    Table 1. 20 operations: 2 comparisons, 5 conjunctions, 4 disjunctions, 1 complement, 8 selections.
+    Table 1. 26 operations: 4 comparisons, 7 conjunctions, 5 disjunctions, 2 complements, 8 selections.
     """
-    _s0 = _where(_logical_or(lodges, _logical_and(undecided, _logical_or(nearly, _logical_not((mode == 5.0))))), 1.0, uncertain)
-    return _where(nearly, _where(settles, 1.0, _where(unpressed, 3.0, 0.0)), 0.0), _where(_logical_and(nearly, _logical_or(settles, unpressed)), index, -1.0), _where(_logical_and(_logical_and(nearly, _logical_or(lodges, slides)), (outcome < 0.0)), _where(lodges, 5.0, 2.0), outcome), _where(_logical_and(nearly, slides), 1.0, 0.0), _s0
+    _s0 = _logical_or(_logical_or(lodges, _logical_and(undecided, _logical_or(nearly, _logical_not((mode == 5.0))))), _logical_and(nearly, _logical_not(_logical_and((position_error < _inf), (velocity_error < _inf)))))
+    return _where(nearly, _where(settles, 1.0, _where(unpressed, 3.0, 0.0)), 0.0), _where(_logical_and(nearly, _logical_or(settles, unpressed)), index, -1.0), _where(_logical_and(_logical_and(nearly, _logical_or(lodges, slides)), (outcome < 0.0)), _where(lodges, 5.0, 2.0), outcome), _where(_logical_and(nearly, slides), 1.0, 0.0), _where(_s0, 1.0, uncertain)
 
 
 def ring_friction(p_gravity: Any, p_inertia: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -3226,9 +3237,9 @@ def ring_impact_undecided(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, 
 def ring_impact_settling(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_ring_friction: Any, p_ring_restitution: Any, x: Any, y: Any, z: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, position_error: Any, velocity_error: Any, mode: Any, per_reach: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, turning_x: Any, turning_y: Any, turning_z: Any, slip: Any, bounce: Any, nearest: Any, second_contact_gap: Any, press: Any, weight: Any, rolling_friction: Any, lift: Any, gap_jerk: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
 
-    a geometric series of bounces. 225 operations: 36 additions, 4 subtractions, 68 multiplications, 11 divisions, 1 square root, 2 negations, 22 absolute values, 32 comparisons, 31 conjunctions, 10 disjunctions, 5 complements, 3 selections.
+    a geometric series of bounces. 227 operations: 36 additions, 4 subtractions, 68 multiplications, 11 divisions, 1 square root, 2 negations, 22 absolute values, 33 comparisons, 32 conjunctions, 10 disjunctions, 5 complements, 3 selections.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16 = _room[:17]
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17 = _room[:18]
     _s0 = 1.0 - p_ring_restitution
     _s1 = 0.0 < _s0
     _s2 = _divide(bounce, press, _r0)
@@ -3260,28 +3271,29 @@ def ring_impact_settling(p_ball_radius: Any, p_gravity: Any, p_inertia: Any, p_r
     _s28 = mode == _k94
     _s29 = _multiply(_k131, _add(_k39, _divide(_add(_add(_absolute(x, _r0), _absolute(y, _r12), _r12), _absolute(z, _r0), _r0), p_ball_radius, _r0), _r0), _r0)
     _s30 = _multiply(_s29, _add(_add(_add(_s4, _absolute(vx, _r12), _r12), _absolute(vy, _r2), _r2), _absolute(vz, _r12), _r12), _r0)
-    _s31 = _logical_and(_s28, (bounce <= _s30))
-    _s32 = _logical_and(_s31, (_k4 < gap_jerk))
-    _s33 = _absolute(lift, _r12)
-    _s34 = _multiply(_k136, _add(p_gravity, _divide(_add(_add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r13), _r13), _multiply(vz, vz, _r2), _r2), p_ball_radius, _r2), _r2), _r2)
-    _s35 = _logical_and(_s32, (_s33 <= _s34))
-    _s36 = _logical_not(_s35)
-    _s37 = _negative(lift, _r13)
-    _s38 = _select(_s37 < press, _s37, press, _r14)
-    _s39 = _divide(bounce, _s38, _r15)
-    _s40 = _logical_and(_logical_and(_logical_and((_k4 < _s38), _s1), (_multiply(_multiply(_k90, _s39, _r16), _s7, _r16) < _multiply(_s8, _s38, _r14))), (_add(_s23, _divide(_multiply(_multiply(_k64, _s39, _r14), _s5, _r14), _s0, _r14), _r14) < nearest))
-    _s41 = _logical_and(_s40, (_add(_multiply(_s16, _s39, _r10), _divide(_multiply(_s18, _multiply(_s39, _s39, _r14), _r14), _s17, _r14), _r14) <= _s21))
-    _s42 = _add(_divide(_multiply(_k49, _add(_multiply(_s11, _s39, _r15), _select(_k4 < bounce, _multiply(bounce, _s13, _r14), _k4, _r10), _r10), _r10), _s19 * _s0, _r10), _multiply(_k137, _s9, _r4), _r4)
-    _s43 = _logical_and(_s28, (_multiply(_k72, _s30, _r0) < _negative(_add(_add(_multiply(nx, vx, _r10), _multiply(ny, vy, _r14), _r14), _multiply(nz, vz, _r10), _r10), _r10)))
-    _s44 = _add(slip, _s5, _r3)
-    _s45 = _absolute(per_reach, _r10)
-    _s46 = _add(p_gravity, _multiply(_multiply(_s44, _s44, _r0), _s45, _r0), _r0)
-    _s47 = _add(_multiply(_multiply(_k52, _add(_multiply(position_error, _s46, _r14), _multiply(velocity_error, _s44, _r3), _r3), _r3), _s45, _r3), _multiply(_k131, _s46, _r0), _r0)
-    _s48 = _logical_and(_logical_and((_multiply(bounce, _absolute(_subtract(_s20, _s21, _r11), _r11), _r11) <= _multiply(_multiply(_k49, velocity_error, _r3), _s21, _r3)), (_k4 < _multiply(p_ring_restitution, bounce, _r3))), _logical_not(_s31))
-    _s49 = _multiply(_k52, velocity_error, _r3)
-    _s50 = _logical_and(_s41, _logical_or((_absolute(_subtract(slip, _s42, _r11), _r11) < _s49), (_absolute(_subtract(_s11, _s14, _r11), _r11) < _multiply(_s49, _add(_multiply(_s13, _s3, _r10), _s3, _r10), _r10))))
-    _s51 = _logical_or(_logical_or(_logical_or(_logical_or((_absolute(press, _r10) <= _s47), (_s33 <= _s47)), _s48), _s50), _logical_and(_logical_and(_s22, _s27), _logical_not(_s26)))
-    return _logical_and(_logical_and(_logical_and(_s22, _logical_not(_s24)), _logical_or(_s26, _s27)), _s36), _logical_and(_logical_and(_s22, _s24), _s36), _logical_and(_logical_and(_s41, _logical_or((_s42 < slip), (_s14 < _s11))), _s36), _logical_or(_logical_and(_logical_and((bounce <= _s10), (_k4 <= lift)), _logical_not(_s43)), _s35), _result(_logical_or(_logical_and(_s15, _s26), _s40), _k39, _k4, _r0), _logical_or(_logical_and(_s51, _s36), _logical_and(_s32, _logical_and((_multiply(_k72, _s34, _r6) < _s33), (_s33 < _multiply(_k49, _s34, _r2)))))
+    _s31 = _negative(_add(_add(_multiply(nx, vx, _r12), _multiply(ny, vy, _r2), _r2), _multiply(nz, vz, _r12), _r12), _r12)
+    _s32 = _logical_and(_logical_and(_s28, (bounce <= _s30)), (_s31 <= _s30))
+    _s33 = _logical_and(_s32, (_k4 < gap_jerk))
+    _s34 = _absolute(lift, _r2)
+    _s35 = _multiply(_k136, _add(p_gravity, _divide(_add(_add(_multiply(vx, vx, _r13), _multiply(vy, vy, _r14), _r14), _multiply(vz, vz, _r13), _r13), p_ball_radius, _r13), _r13), _r13)
+    _s36 = _logical_and(_s33, (_s34 <= _s35))
+    _s37 = _logical_not(_s36)
+    _s38 = _negative(lift, _r14)
+    _s39 = _select(_s38 < press, _s38, press, _r15)
+    _s40 = _divide(bounce, _s39, _r16)
+    _s41 = _logical_and(_logical_and(_logical_and((_k4 < _s39), _s1), (_multiply(_multiply(_k90, _s40, _r17), _s7, _r17) < _multiply(_s8, _s39, _r15))), (_add(_s23, _divide(_multiply(_multiply(_k64, _s40, _r15), _s5, _r15), _s0, _r15), _r15) < nearest))
+    _s42 = _logical_and(_s41, (_add(_multiply(_s16, _s40, _r10), _divide(_multiply(_s18, _multiply(_s40, _s40, _r15), _r15), _s17, _r15), _r15) <= _s21))
+    _s43 = _add(_divide(_multiply(_k49, _add(_multiply(_s11, _s40, _r16), _select(_k4 < bounce, _multiply(bounce, _s13, _r15), _k4, _r10), _r10), _r10), _s19 * _s0, _r10), _multiply(_k137, _s9, _r4), _r4)
+    _s44 = _logical_or(_logical_and(_logical_and((bounce <= _s10), (_k4 <= lift)), _logical_not(_logical_and(_s28, (_multiply(_k72, _s30, _r0) < _s31)))), _s36)
+    _s45 = _add(slip, _s5, _r3)
+    _s46 = _absolute(per_reach, _r0)
+    _s47 = _add(p_gravity, _multiply(_multiply(_s45, _s45, _r12), _s46, _r12), _r12)
+    _s48 = _add(_multiply(_multiply(_k52, _add(_multiply(position_error, _s47, _r6), _multiply(velocity_error, _s45, _r3), _r3), _r3), _s46, _r3), _multiply(_k131, _s47, _r12), _r12)
+    _s49 = _logical_and(_logical_and((_multiply(bounce, _absolute(_subtract(_s20, _s21, _r11), _r11), _r11) <= _multiply(_multiply(_k49, velocity_error, _r3), _s21, _r3)), (_k4 < _multiply(p_ring_restitution, bounce, _r3))), _logical_not(_s32))
+    _s50 = _multiply(_k52, velocity_error, _r3)
+    _s51 = _logical_and(_s42, _logical_or((_absolute(_subtract(slip, _s43, _r11), _r11) < _s50), (_absolute(_subtract(_s11, _s14, _r11), _r11) < _multiply(_s50, _add(_multiply(_s13, _s3, _r0), _s3, _r0), _r0))))
+    _s52 = _logical_or(_logical_or(_logical_or(_logical_or((_absolute(press, _r0) <= _s48), (_s34 <= _s48)), _s49), _s51), _logical_and(_logical_and(_s22, _s27), _logical_not(_s26)))
+    return _logical_and(_logical_and(_logical_and(_s22, _logical_not(_s24)), _logical_or(_s26, _s27)), _s37), _logical_and(_logical_and(_s22, _s24), _s37), _logical_and(_logical_and(_s42, _logical_or((_s43 < slip), (_s14 < _s11))), _s37), _s44, _result(_logical_or(_logical_and(_s15, _s26), _s41), _k39, _k4, _r0), _logical_or(_logical_and(_s52, _s37), _logical_and(_s33, _logical_and((_multiply(_k72, _s35, _r8) < _s34), (_s34 < _multiply(_k49, _s35, _r13)))))
 
 
 def ring_impact_grip_deficit(p_ring_friction: Any, rolling_friction: Any, rolling_friction_rate: Any, force: Any, force_rate: Any) -> tuple[Any, ...]:
@@ -11576,7 +11588,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, _gap_jerk_2, *_ = ring_separation(_p_gravity_2, _p_ring_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, 0.0, 0.0, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(0.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(0.0, 0.0, 0.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows23, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
         _here_1, = here(1.0, _which_1)
         _rows25, _count26 = _most(_here_1, _count12)
@@ -11595,7 +11607,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, _gap_jerk_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, 0.0, 0.0, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(1.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(1.0, 0.0, 0.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows25, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
         _here_1, = here(2.0, _which_1)
         _rows27, _count28 = _most(_here_1, _count12)
@@ -11614,7 +11626,7 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, _gap_jerk_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, 0.0, 0.0, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(2.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(2.0, 0.0, 0.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows27, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
         _held_0, _mode_0, _outcome_0, _slip_left_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows11, shots, (_held_0, _mode_0, _outcome_0, _slip_left_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_held_1, _mode_1, _outcome_1, _slip_left_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,))
     columns |= {"count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "first": _first_0, "held": _held_0, "last": _last_0, "mode": _mode_0, "outcome": _outcome_0, "slip_left": _slip_left_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }
@@ -12871,7 +12883,7 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, _gap_jerk_2, *_ = ring_separation(_p_gravity_2, _p_ring_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _position_error_2, _velocity_error_2, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(0.0, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(0.0, _position_error_2, _velocity_error_2, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
             _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows45, _count34, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
         _here_1, = here(1.0, _which_1)
         _rows47, _count48 = _most(_here_1, _count34)
@@ -12890,7 +12902,19 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, _gap_jerk_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _position_error_2, _velocity_error_2, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(1.0, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(1.0, _position_error_2, _velocity_error_2, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _gap_2, *_ = backboard_seam0(_p_ball_radius_2, _p_board_distance_2, _p_board_thickness_2, _x_2, _vx_2)
+            _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
+            _gap_2, *_ = backboard_seam1(_p_ball_radius_2, _p_board_distance_2, _p_board_thickness_2, _x_2, _vx_2)
+            _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
+            _gap_2, *_ = backboard_seam2(_p_ball_radius_2, _p_board_half_width_2, _y_2, _vy_2)
+            _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
+            _gap_2, *_ = backboard_seam3(_p_ball_radius_2, _p_board_half_width_2, _y_2, _vy_2)
+            _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
+            _gap_2, *_ = backboard_seam4(_p_ball_radius_2, _p_board_bottom_2, _p_board_top_2, _z_2, _vz_2)
+            _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
+            _gap_2, *_ = backboard_seam5(_p_ball_radius_2, _p_board_bottom_2, _p_board_top_2, _z_2, _vz_2)
+            _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
             _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows47, _count34, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
         _here_1, = here(2.0, _which_1)
         _rows49, _count50 = _most(_here_1, _count34)
@@ -12909,7 +12933,19 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, _gap_jerk_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _position_error_2, _velocity_error_2, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(2.0, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(2.0, _position_error_2, _velocity_error_2, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _gap_2, *_ = bridge_seam0(_p_ball_radius_2, _p_board_distance_2, _p_ring_radius_2, _x_2, _vx_2)
+            _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
+            _gap_2, *_ = bridge_seam1(_p_ball_radius_2, _p_board_distance_2, _p_ring_radius_2, _x_2, _vx_2)
+            _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
+            _gap_2, *_ = bridge_seam2(_p_ball_radius_2, _p_bridge_half_width_2, _y_2, _vy_2)
+            _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
+            _gap_2, *_ = bridge_seam3(_p_ball_radius_2, _p_bridge_half_width_2, _y_2, _vy_2)
+            _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
+            _gap_2, *_ = bridge_seam4(_p_ball_radius_2, _p_bridge_depth_2, _p_wire_radius_2, _z_2, _vz_2)
+            _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
+            _gap_2, *_ = bridge_seam5(_p_ball_radius_2, _p_bridge_depth_2, _p_wire_radius_2, _z_2, _vz_2)
+            _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
             _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows49, _count34, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
         _assured_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _estimated_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows33, shots, (_assured_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _estimated_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_assured_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _estimated_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,))
     _rows51, _count52 = _rows(_limited_0, shots)

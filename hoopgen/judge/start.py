@@ -14,7 +14,7 @@ from .taylor_model import Number, polynomial
 
 DEPARTS = 3
 """The number of low coefficients of the event polynomial that vanish if the contact of a ball ends
-where it starts: the third does to roundings alone."""
+where it starts: the third does to roundings alone, and is not divided out."""
 
 
 def left_by(formulas: Formulas, state: list[Number], values: list[arb], leaving: int) -> int:
@@ -87,7 +87,7 @@ def put_on(
     if surface.axis >= 0:
         along[surface.axis] = arb(0)
     there = place + along + state[6:]
-    if surface.flat:
+    if surface.flat and formulas.air is None:
         return there, 2
     scale = _along(surface, [polynomial(pair) for pair in zip(place, normal, strict=True)], values)
     path = next_piece(formulas, there, values).path

@@ -395,7 +395,10 @@ FAULTS = (
     Planted(
         "errors without bounds do not matter where bounces end",
         in_text(
-            contact_phase, "_contact_decisions", "Equal(which, last), bounded", "Equal(which, last)"
+            contact_phase,
+            "_contact_decisions",
+            "Equal(which, last), _BOUNDED",
+            "Equal(which, last)",
         ),
         without_bounds,
     ),

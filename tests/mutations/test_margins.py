@@ -67,6 +67,11 @@ parting = OfKernels(
 entering = OfKernels(
     contact.test_a_ball_that_starts_with_a_velocity_into_the_surface_hits_it,
 )
+without_bounds = OfKernels(
+    contact.test_bounces_that_end_with_errors_without_bounds_are_undecided,
+    (("position_error",), ("velocity_error",)),
+)
+on_seam = OfKernels(contact.test_a_ball_that_may_stay_on_a_surface_is_undecided_on_its_seam)
 near_departure = OfKernels(
     contact.test_whether_the_force_at_the_start_is_one_of_roundings_is_undecided_near_the_limit,
 )
@@ -246,7 +251,7 @@ FAULTS = (
     ),
     Planted(
         "a ball parts where its force vanishes also at the end of bounces",
-        in_start("all_of(Equal(mode, STARTS), AtMost(bounce", "all_of(AtMost(bounce"),
+        in_start("Equal(mode, STARTS), AtMost(bounce, speed_limit)", "AtMost(bounce, speed_limit)"),
         parting,
     ),
     Planted(
@@ -291,6 +296,33 @@ FAULTS = (
         "a ball that starts with a velocity into its body leaves it",
         in_settling("AtMost(0, lift), Not(start.enters))", "AtMost(0, lift))"),
         entering,
+    ),
+    Planted(
+        "a ball that starts with a velocity into its body is along it",
+        in_start(", AtMost(inward, speed_limit)", ""),
+        entering,
+    ),
+    Planted(
+        "bounces end for certain with errors that have no bounds",
+        in_text(contact_phase, "_results", "all_of(nearly, Not(_BOUNDED))", "false"),
+        without_bounds,
+    ),
+    Planted(
+        "a ball on a seam knows on which side of it it is",
+        in_text(contact_phase, "settling_kernels", "Choose(asked, 1, uncertain)", "uncertain"),
+        on_seam,
+    ),
+    Planted(
+        "a ball has no error beside a seam",
+        in_text(contact_phase, "settling_kernels", "4 * position_error + rounding", "rounding"),
+        on_seam,
+    ),
+    Planted(
+        "a ball has no rounding beside a seam",
+        in_text(
+            contact_phase, "settling_kernels", "4 * position_error + rounding", "4 * position_error"
+        ),
+        on_seam,
     ),
     Planted(
         "a ball enters its body also after a contact",

@@ -183,6 +183,20 @@ def test_a_force_that_may_press_the_ball_on_is_undecided(shapes: Engine) -> None
     assert shots.uncertain[2:-2].any()
 
 
+def test_a_ball_that_may_stay_on_a_box_is_flagged_on_its_seams_alone(shapes: Engine) -> None:
+    """There it is the rounding of a place that decides whether the ball is on face or edge."""
+    states = np.zeros((3, 9))
+    states[:, 0] = 8.3, 8.3 - 1e-9, 8.2
+    states[:, 1], states[:, 2] = 0.05, 0.25
+    rolling = states.copy()
+    rolling[:, 3], rolling[:, 7] = -1, -10
+    shots = shapes.simulate(rolling, leaving="block", time_limit=0.05)
+    assert shots.uncertain.tolist() == [True, False, False]
+    states[:, 2] = 0.5
+    shots = shapes.simulate(states, {"loss": 1.0}, time_limit=1)
+    assert shots.uncertain.tolist() == [True, False, False]
+
+
 @pytest.mark.parametrize("grip", [0.6, math.inf])
 def test_a_contact_without_restitution_where_nothing_presses_the_ball_on_is_undecided(
     shapes: Engine, grip: float

@@ -292,7 +292,8 @@ PREMISES: dict[str, Premise] = {
             "common.near_end_plane common.near_body *.turning common.near_bounded_body "
             "*.closing *.separation common.settled common.jump_errors common.beginning_contact "
             "common.off_at_start common.placed_at_start common.start_errors "
-            "common.undecided_at_start common.start_velocity_errors common.velocity_at_start"
+            "common.undecided_at_start common.start_velocity_errors common.velocity_at_start "
+            "common.seam_undecided"
         ),
     ),
     "series": Premise(

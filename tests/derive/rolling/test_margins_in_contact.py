@@ -177,6 +177,34 @@ def test_a_ball_that_starts_where_its_force_vanishes_leaves_if_the_gap_opens(
     assert found(press=1e-9, lift=-1e-9) == [*presses[:3], False]
 
 
+@pytest.mark.parametrize("name", ["position_error", "velocity_error"])
+def test_bounces_that_end_with_errors_without_bounds_are_undecided(name: str) -> None:
+    given: dict[str, Any] = {
+        **dict.fromkeys(court.ARGUMENTS["settled"], 0.0),
+        "outcome": NONE,
+        "nearly": True,
+        "settles": True,
+        "unpressed": False,
+        "lodges": False,
+        "slides": False,
+        "undecided": False,
+    }
+    assert called("settled", given)["uncertain"] == 0
+    assert called("settled", given, **{name: math.nan})["uncertain"] == 1
+    assert called("settled", given, **{name: math.inf})["uncertain"] == 1
+    assert called("settled", given, nearly=False, **{name: math.nan})["uncertain"] == 0
+
+
+def test_a_ball_that_may_stay_on_a_surface_is_undecided_on_its_seam() -> None:
+    for error in (0.0, 1e-9):
+        width = 4 * error + 8 * 2.0**-53 * (0.3 + RADIUS)
+        given = BOUNCING | {"uncertain": 0.0, "nearly": 1.0, "position_error": error}
+        for gap in (width, -width):
+            assert called("seam_undecided", given, gap=gap * 0.999)["uncertain"] == 1
+            assert called("seam_undecided", given, gap=gap * 1.001)["uncertain"] == 0
+        assert called("seam_undecided", given, gap=0.0, nearly=0.0)["uncertain"] == 0
+
+
 # ------------------------------------------------------------------------------ where a ball starts
 
 SPEED_LIMIT = 32 * 2.0**-53 * 0.1 * (1 + 0.3 / RADIUS)
@@ -190,6 +218,10 @@ def test_a_ball_that_starts_with_a_velocity_into_the_surface_hits_it() -> None:
     assert ended(**lifted)["unpressed"]
     assert ended(**lifted, vz=-0.49 * SPEED_LIMIT)["unpressed"]
     assert not ended(**lifted, vz=-0.51 * SPEED_LIMIT)["unpressed"]
+    # Neither does it leave where the force vanishes.
+    gone = {"press": 1e-20, "lift": -1e-20, "gap_jerk": 1.0, "bounce": 0.0, "mode": STARTS}
+    assert ended(**gone, vz=-0.99 * SPEED_LIMIT)["unpressed"]
+    assert not ended(**gone, vz=-1.01 * SPEED_LIMIT)["unpressed"]
     # After a contact the velocity off the surface is one of roundings.
     assert ended(**(lifted | {"mode": 0.0}), vz=-SPEED_LIMIT)["unpressed"]
 
