@@ -13,9 +13,9 @@ It may end earlier. If the slope r = -F' - m' fulfils r² > 8 C (2 (F - m) + m) 
 root follows and is simple, also of the true F (Kantorovich, with h = C F / r²). Newton's method
 converges to it: F > 2 m means h < 2^-3, and each step squares h and halves it. The step after which
 h is at most 2^-49 is the last; F <= 2 m means that any value is within the root's own error. Where
-a root may be out of bounds, which is decided after three steps, the factor is 2^5 instead of 2. Where
-balls roll, a return to the surface just touched is refined even if it is not certain, since it is
-not flagged if the bounces end there for certain. It is undecided from where the search stands.
+a root may be out of bounds, which is decided after three steps, the factor is 2^5 instead of 2.
+Where balls roll, a return to the surface just touched is refined even if it is not certain, since
+it is not flagged if bounces end there for certain. It is undecided from where the search stands.
 
 The ring's search first goes as far as it gets in single precision, with margins that hold for that
 (`ring/single.py`).

@@ -115,11 +115,9 @@ off_body = OfEngine(
 behind_shell = OfEngine(
     test_starts_on_bodies.check_balls_behind_a_shell, scene=test_starts_on_bodies.SHELL
 )
-without_bounds = OfEngine(
-    test_starts_on_bodies.check_errors_without_bounds, scene=test_starts_on_bodies.SUPERBALL
-)
 after_impact = OfFormulas(test_going_on.check_the_judge_of_records, ((Event.IMPACT,),))
 after_leave = OfFormulas(test_going_on.check_the_judge_of_records, ((Event.LEAVE,),))
+over_seam = OfFormulas(test_going_on.test_the_judge_has_a_ball_leave_a_face_over_its_seam)
 unpressed = OfEngine(
     test_going_on.test_a_contact_without_restitution_where_nothing_presses_the_ball_on_is_undecided,
     given=((0.6,), (math.inf,)),
@@ -393,16 +391,6 @@ FAULTS = (
         behind_shell,
     ),
     Planted(
-        "errors without bounds do not matter where bounces end",
-        in_text(
-            contact_phase,
-            "_contact_decisions",
-            "Equal(which, last), _BOUNDED",
-            "Equal(which, last)",
-        ),
-        without_bounds,
-    ),
-    Planted(
         "a ball is on all surfaces of the body that it leaves",
         in_text(validity, "_with_surface", "if several:  #", "if False:  #"),
         off_body,
@@ -435,7 +423,7 @@ FAULTS = (
             "if stays_in(surface.region,",
             "if True or stays_in(surface.region,",
         ),
-        after_leave,
+        over_seam,
     ),
     Planted(
         "a return that is not certain is as late as where its search stands",

@@ -71,6 +71,10 @@ without_bounds = OfKernels(
     contact.test_bounces_that_end_with_errors_without_bounds_are_undecided,
     (("position_error",), ("velocity_error",)),
 )
+assured_without_bounds = OfKernels(
+    contact.test_errors_without_bounds_are_undecided_also_where_bounces_end_for_certain,
+    (("position_error",), ("velocity_error",)),
+)
 on_seam = OfKernels(contact.test_a_ball_that_may_stay_on_a_surface_is_undecided_on_its_seam)
 near_departure = OfKernels(
     contact.test_whether_the_force_at_the_start_is_one_of_roundings_is_undecided_near_the_limit,
@@ -301,6 +305,16 @@ FAULTS = (
         "a ball that starts with a velocity into its body is along it",
         in_start(", AtMost(inward, speed_limit)", ""),
         entering,
+    ),
+    Planted(
+        "errors without bounds do not matter where bounces end",
+        in_text(
+            contact_phase,
+            "_contact_decisions",
+            "Equal(which, last), _BOUNDED",
+            "Equal(which, last)",
+        ),
+        assured_without_bounds,
     ),
     Planted(
         "bounces end for certain with errors that have no bounds",

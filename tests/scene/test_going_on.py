@@ -197,6 +197,15 @@ def test_a_ball_that_may_stay_on_a_box_is_flagged_on_its_seams_alone(shapes: Eng
     assert shots.uncertain.tolist() == [True, False, False]
 
 
+def test_the_judge_has_a_ball_leave_a_face_over_its_seam() -> None:
+    """On the edge v² > g R: the ball flies off, and does not touch the face again at once."""
+    state = [8.3, 0.05, 0.25, 1.2, 0, 0, 0, 12, 0]
+    for loss in (1.0, 0.5):
+        proof = hoopgen.certify(state, {"loss": loss}, scene=SHAPES, leaving="block", **LIMITS)[0]
+        assert proof.surfaces == [len(SHAPES.bodies)]
+        assert proof.hops == -1
+
+
 @pytest.mark.parametrize("grip", [0.6, math.inf])
 def test_a_contact_without_restitution_where_nothing_presses_the_ball_on_is_undecided(
     shapes: Engine, grip: float

@@ -195,6 +195,21 @@ def test_bounces_that_end_with_errors_without_bounds_are_undecided(name: str) ->
     assert called("settled", given, nearly=False, **{name: math.nan})["uncertain"] == 0
 
 
+@pytest.mark.parametrize("name", ["position_error", "velocity_error"])
+def test_errors_without_bounds_are_undecided_also_where_bounces_end_for_certain(name: str) -> None:
+    given: dict[str, Any] = {
+        **dict.fromkeys(court.ARGUMENTS["contact_undecided"], 0.0),
+        "undecided_time": 0.0,
+        "when": 1.0,
+        "which": 1.0,
+        "last": 1.0,
+        "assured": 1.0,
+    }
+    assert called("contact_undecided", given)["uncertain"] == 0
+    assert called("contact_undecided", given, assured=0.0)["uncertain"] == 1
+    assert called("contact_undecided", given, **{name: math.nan})["uncertain"] == 1
+
+
 def test_a_ball_that_may_stay_on_a_surface_is_undecided_on_its_seam() -> None:
     for error in (0.0, 1e-9):
         width = 4 * error + 8 * 2.0**-53 * (0.3 + RADIUS)
