@@ -429,7 +429,7 @@ KERNELS = {
         decision(
             "refined_return",
             _refined(Or(certain, all_of(Less(0, leaving), Less(rate, 0)))),
-            "The same, also of a return that is not certain.",
+            "A root or a return that is not certain, refined, and whether it is refined again.",
         ),
         decision(
             "own_margin",
@@ -454,7 +454,8 @@ KERNELS = {
         decision(
             "return_certainty",
             _certainty(minimum(t, time)),
-            "The same, if an arrival that is not certain may have been refined.",
+            "Delay of a certain arrival; the earliest undecided time, with where the search of any "
+            "other one stands, which may have been refined since.",
         ),
         decision(
             "outside",

@@ -167,6 +167,8 @@ def settling(law: Law, ball: Ball, flight: Flight, revolved: bool = False) -> Ke
         moved = barrier(4 * rolling_friction * skip**2 / loss + skip * bounce / 2)
         over = all_of(bounces_on, AtMost(moved, allowed))
         slides = all_of(over, Or(Less(stopped, slip), Less(available, required)))
+        # Of the velocity after the contact, and of R times a spin that is as uncertain; the normal
+        # turns by no more.
         slip_error = barrier(8 * velocity_error)
         undecided_slip = all_of(
             over,

@@ -950,7 +950,7 @@ LANES(court_found)(V arrival)
     return (LANES(court_found_out)){ _s0, _s0, K(0.0) };
 }
 
-/* The same, also of a return that is not certain.
+/* A root or a return that is not certain, refined, and whether it is refined again.
    Table 1. 11 operations: 3 multiplications, 1 absolute value, 3 comparisons, 2 conjunctions, 1 disjunction, 1 selection. */
 typedef struct {
     V arrival;
@@ -988,7 +988,7 @@ LANES(court_arrival_time)(V arrival)
     return (LANES(court_arrival_time_out)){ lanes_select(lanes_less(arrival, K(0.0)), K(0.0), arrival) };
 }
 
-/* The same, if an arrival that is not certain may have been refined.
+/* Delay of a certain arrival; the earliest undecided time, with where the search of any other one stands, which may have been refined since.
    Table 1. 12 operations: 1 subtraction, 3 comparisons, 3 conjunctions, 1 complement, 4 selections. */
 typedef struct {
     V delay, undecided_time;

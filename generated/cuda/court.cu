@@ -1002,7 +1002,7 @@ static __device__ __forceinline__ kernel_found_out kernel_found(double arrival)
     return {_s0, _s0, 0.0};
 }
 
-/* The same, also of a return that is not certain.
+/* A root or a return that is not certain, refined, and whether it is refined again.
    Table 1. 11 operations: 3 multiplications, 1 absolute value, 3 comparisons, 2 conjunctions, 1 disjunction, 1 selection. */
 struct kernel_refined_return_out {
     double arrival;
@@ -1037,7 +1037,7 @@ static __device__ __forceinline__ kernel_arrival_time_out kernel_arrival_time(do
     return {choose((arrival < 0.0), 0.0, arrival)};
 }
 
-/* The same, if an arrival that is not certain may have been refined.
+/* Delay of a certain arrival; the earliest undecided time, with where the search of any other one stands, which may have been refined since.
    Table 1. 12 operations: 1 subtraction, 3 comparisons, 3 conjunctions, 1 complement, 4 selections. */
 struct kernel_return_certainty_out {
     double delay, undecided_time;

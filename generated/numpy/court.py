@@ -1832,7 +1832,7 @@ def found(arrival: Any) -> tuple[Any, ...]:
 
 
 def refined_return(leaving: Any, gap: Any, rate: Any, ceiling: Any, arrival: Any, refined: Any, certain: Any) -> tuple[Any, ...]:
-    """The same, also of a return that is not certain.
+    """A root or a return that is not certain, refined, and whether it is refined again.
 
     Table 1. 11 operations: 3 multiplications, 1 absolute value, 3 comparisons, 2 conjunctions, 1 disjunction, 1 selection.
     """
@@ -1857,7 +1857,7 @@ def arrival_time(arrival: Any) -> tuple[Any, ...]:
 
 
 def return_certainty(t: Any, clearance: Any, time: Any, delay: Any, undecided_time: Any, arrives: Any, certain: Any) -> tuple[Any, ...]:
-    """The same, if an arrival that is not certain may have been refined.
+    """Delay of a certain arrival; the earliest undecided time, with where the search of any other one stands, which may have been refined since.
 
     Table 1. 12 operations: 1 subtraction, 3 comparisons, 3 conjunctions, 1 complement, 4 selections.
     """

@@ -34,7 +34,8 @@ def holds(bounds: Function, state: Sequence[Number], values: list[arb]) -> bool 
 def stays_in(region: Function, path: Sequence[Number], values: list[arb]) -> bool | None:
     """Return whether a ball is in the region of a part of a box right after the start of a path.
 
-    None if that is undecided. On the edge of two parts it is in the one that it moves to.
+    None if that is undecided. On the edge of two parts it is in the one that it moves to. Any other
+    surface has no such region, and the ball is in it.
 
     Parameters
     ----------
