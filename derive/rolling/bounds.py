@@ -41,7 +41,7 @@ from ..symbolic.conditionals import (
     release,
 )
 from ..symbolic.rounding import position_error
-from ..symbolic.symbols import POSITION, VELOCITY, position
+from ..symbolic.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, position
 from .symbols import (
     fastest,
     gap,
@@ -185,6 +185,17 @@ def roundings(ball_radius: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """Return the distance at which an event has come, and that within which it is undecided."""
     landing = barrier(sp.Rational(1, 2**47) * barrier(sum(map(absolute, position)) + ball_radius))
     return landing, barrier(2 * position_error + landing)
+
+
+def place_rounding(ball_radius: sp.Expr) -> sp.Expr:
+    """Return a bound on the rounding of a place on a surface, m.
+
+    Parameters
+    ----------
+    ball_radius
+        The radius of the ball, m.
+    """
+    return 8 * UNIT_ROUNDOFF * barrier(sum(map(absolute, position)) + ball_radius)
 
 
 def longest(speed: sp.Expr) -> sp.Expr:

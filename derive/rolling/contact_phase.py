@@ -75,6 +75,9 @@ from .symbols import (
     unpressed,
 )
 
+_BOUNDED = all_of(Less(position_error, sp.oo), Less(velocity_error, sp.oo))
+"""True if the errors have bounds: they are no number if they have none."""
+
 
 def kernels(
     flight: Flight,
@@ -294,10 +297,6 @@ def _contact_decisions(
         ),
         decision("detachment", {"which": codes.hops}, "Event: the ball is off the surface."),
     )
-
-
-_BOUNDED = all_of(Less(position_error, sp.oo), Less(velocity_error, sp.oo))
-"""True if the errors have bounds: they are no number if they have none."""
 
 
 def _results(

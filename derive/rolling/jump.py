@@ -35,7 +35,8 @@ from ..motion import rolling_series
 from ..motion.flight import Flight
 from ..symbolic.conditionals import IfLess, absolute, barrier, barrier_all, maximum
 from ..symbolic.error_terms import dv, dw, dx, greatest
-from ..symbolic.symbols import UNIT_ROUNDOFF, normal, position, spin, velocity
+from ..symbolic.symbols import UNIT_ROUNDOFF, normal, spin, velocity
+from .bounds import place_rounding
 from .settling import tolerance
 from .symbols import bounce, gap, press, rebound, rolling_friction, slip, turning
 
@@ -132,7 +133,7 @@ def _errors_of_bounces(flight: Flight, ball: Ball) -> dict[str, sp.Expr]:
     )
     # Without a force onto the surface the ball has no further bounce: what it loses is all.
     lost = barrier(IfLess(0, press, 0, bounce + slip))
-    place = barrier(path + 8 * UNIT_ROUNDOFF * barrier(sum(map(absolute, position)) + ball.radius))
+    place = barrier(path + place_rounding(ball.radius))
     # The errors of a contact that grips are those of a rolling ball, but for roundings.
     slipping = greatest(
         barrier_all(sp.Matrix(dv) - ball.radius * sp.Matrix(dw).cross(normal))

@@ -36,7 +36,8 @@ from ..symbolic.conditionals import (
     minimum,
 )
 from ..symbolic.rounding import position_error, velocity_error
-from ..symbolic.symbols import UNIT_ROUNDOFF, normal, position, spin, velocity
+from ..symbolic.symbols import UNIT_ROUNDOFF, normal, spin, velocity
+from .bounds import place_rounding
 from .start import Start
 from .symbols import (
     bounce,
@@ -167,8 +168,8 @@ def settling(law: Law, ball: Ball, flight: Flight, revolved: bool = False) -> Ke
         moved = barrier(4 * rolling_friction * skip**2 / loss + skip * bounce / 2)
         over = all_of(bounces_on, AtMost(moved, allowed))
         slides = all_of(over, Or(Less(stopped, slip), Less(available, required)))
-        # Of the velocity after the contact, and of R times a spin that is as uncertain; the normal
-        # turns by no more.
+        # The slip is v - R w × n. The errors of R w and of the normal times the speed count as much
+        # as that of v, and each counts more than twice.
         slip_error = barrier(8 * velocity_error)
         undecided_slip = all_of(
             over,
@@ -272,7 +273,7 @@ def settling_kernels(
         "Distance to a seam of the surface that the ball is on.",
     )
     # On which side of a seam the ball is decides how the surface bends under it.
-    rounding = 8 * UNIT_ROUNDOFF * barrier(sum(map(absolute, position)) + ball.radius)
+    rounding = place_rounding(ball.radius)
     on_seam = AtMost(absolute(gap), barrier(4 * position_error + rounding))
     asked = all_of(Boolean("nearly"), on_seam)
     return (

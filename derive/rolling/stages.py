@@ -24,7 +24,6 @@ from .surface_nodes import (
     outside,
     part_call,
     renamed,
-    seams_of,
     shifted_bound,
 )
 
@@ -145,11 +144,6 @@ def settled(
             ),
             given_as(Call(surface.law["settling"]), surface.law_sizes),
             Call(common["settled"], {"index": surface.index}),
-            *(
-                node
-                for seam in seams_of(surface)
-                for node in (part_call(surface, seam), Call(common["seam_undecided"]))
-            ),
         )
         nodes += on_surface(common, surface.index, *own)
     yield If("slow", tuple(nodes), rare=True)

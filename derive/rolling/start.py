@@ -43,6 +43,7 @@ from ..symbolic.conditionals import (
 )
 from ..symbolic.error_terms import dv, dx
 from ..symbolic.symbols import UNIT_ROUNDOFF, normal, position, spin, velocity
+from .bounds import place_rounding
 from .symbols import STARTS, body, bounce, gap, gap_jerk, lift, mode, uncertain
 
 
@@ -104,8 +105,8 @@ class Start:
     along
         True if it starts along the surface, to roundings.
     enters
-        True if it starts with a velocity into the surface; of one that was taken away less than
-        half the limit is left.
+        True if it starts with a velocity into the surface. What is left of one that was taken away
+        is less than half the limit.
     departs
         True if its contact ends at once: nothing presses it on, to roundings, and the gap opens.
     may_depart
@@ -146,7 +147,7 @@ def start_kernels(holders: Sequence[int], ball: Ball, strength: sp.Expr) -> tupl
     slack = barrier(speed_limit / 32)
     per = barrier(1 / barrier(sp.sqrt(barrier(normal.dot(normal)))))
     off = barrier(gap * per)
-    rounding = barrier(8 * UNIT_ROUNDOFF * barrier(sum(map(absolute, position)) + ball.radius))
+    rounding = barrier(place_rounding(ball.radius))
     on_holder = one_of(last, holders)
     starts = Equal(mode, STARTS)
     return (

@@ -177,6 +177,8 @@ def nearest_others(
 ) -> Iterator[Node]:
     """Yield nodes that evaluate how far a ball is from all but the part of the surface it is on.
 
+    On a seam of that surface, within the errors, the shot is undecided.
+
     Parameters
     ----------
     common
@@ -198,10 +200,11 @@ def nearest_others(
         for part in bounds_of(surface):
             yield part_call(surface, part)
             yield Call(common["beside_edge"])
-        if "near_seam" in common:
-            for part in seams_of(surface):
-                yield part_call(surface, part)
+        for part in seams_of(surface):
+            yield part_call(surface, part)
+            if "near_seam" in common:
                 yield Call(common["near_seam"])
+            yield Call(common["seam_undecided"])
         if "near_apex" in common:
             yield Call(common["near_apex"])
     for end_plane in end_planes:

@@ -3314,24 +3314,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(GET, _ring_closing_1, gap, nearing, rolling_gap_acceleration, normal_cosine)
             CALL(court_near_body, _near_body_3)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
             EACH(SET, _near_body_3, nearest, second_contact_gap)
-            CALL(court_bridge_closing, _bridge_closing_2)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
-            EACH(SET, _bridge_closing_2, gap, nearing, rolling_gap_acceleration, normal_cosine)
-            CALL(court_near_body, _near_body_4)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-            EACH(SET, _near_body_4, nearest, second_contact_gap)
-            CALL(court_end_beside, _end_beside_2)(z, vz, FIXED(18));
-            EACH(SET, _end_beside_2, gap)
-            CALL(court_near_end_plane, _near_end_plane_2)(gap, nearest);
-            EACH(SET, _near_end_plane_2, nearest)
-            CALL(court_backboard_separation, _backboard_separation_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(21), FIXED(15), FIXED(23));
-            EACH(GET, _backboard_separation_1, lift, gap_jerk)
-            CALL(court_ring_impact_settling, _ring_impact_settling_2)(x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, OR_ZERO(position_error), OR_ZERO(velocity_error), mode, per_reach, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(180), FIXED(181), FIXED(182), FIXED(183), FIXED(184), FIXED(109), FIXED(111), FIXED(178), FIXED(185));
-            EACH(GET_MASK, _ring_impact_settling_2, settles, lodges, slides, unpressed)
-            BOUNDS(EACH(SELECT, (_if_here_8, _ring_impact_settling_2), assured))
-            EACH(GET_MASK, _ring_impact_settling_2, undecided)
-            CALL(court_settled, _settled_2)(K(1.0), OR_ZERO(position_error), OR_ZERO(velocity_error), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
-            EACH(SELECT, (_if_here_8, _settled_2), mode, held, outcome, slip_left)
 #if BOUNDED
-            EACH(SELECT, (_if_here_8, _settled_2), uncertain)
             CALL(court_backboard_seam0, _backboard_seam0_1)(x, vx, FIXED(15), FIXED(114));
             EACH(SET, _backboard_seam0_1, gap)
             CALL(court_seam_undecided, _seam_undecided_1)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
@@ -3357,6 +3340,23 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             CALL(court_seam_undecided, _seam_undecided_6)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
             EACH(SELECT, (_if_here_8, _seam_undecided_6), uncertain)
 #endif
+            CALL(court_bridge_closing, _bridge_closing_2)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
+            EACH(SET, _bridge_closing_2, gap, nearing, rolling_gap_acceleration, normal_cosine)
+            CALL(court_near_body, _near_body_4)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+            EACH(SET, _near_body_4, nearest, second_contact_gap)
+            CALL(court_end_beside, _end_beside_2)(z, vz, FIXED(18));
+            EACH(SET, _end_beside_2, gap)
+            CALL(court_near_end_plane, _near_end_plane_2)(gap, nearest);
+            EACH(SET, _near_end_plane_2, nearest)
+            CALL(court_backboard_separation, _backboard_separation_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(21), FIXED(15), FIXED(23));
+            EACH(GET, _backboard_separation_1, lift, gap_jerk)
+            CALL(court_ring_impact_settling, _ring_impact_settling_2)(x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, OR_ZERO(position_error), OR_ZERO(velocity_error), mode, per_reach, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(180), FIXED(181), FIXED(182), FIXED(183), FIXED(184), FIXED(109), FIXED(111), FIXED(178), FIXED(185));
+            EACH(GET_MASK, _ring_impact_settling_2, settles, lodges, slides, unpressed)
+            BOUNDS(EACH(SELECT, (_if_here_8, _ring_impact_settling_2), assured))
+            EACH(GET_MASK, _ring_impact_settling_2, undecided)
+            CALL(court_settled, _settled_2)(K(1.0), OR_ZERO(position_error), OR_ZERO(velocity_error), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
+            EACH(SELECT, (_if_here_8, _settled_2), mode, held, outcome, slip_left)
+            BOUNDS(EACH(SELECT, (_if_here_8, _settled_2), uncertain))
         }
         CALL(court_here, _here_9)(K(2.0), which);
         EACH(SET, _here_9, here)
@@ -3379,20 +3379,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(SET, _backboard_closing_2, gap, nearing, rolling_gap_acceleration, normal_cosine)
             CALL(court_near_body, _near_body_6)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
             EACH(SET, _near_body_6, nearest, second_contact_gap)
-            CALL(court_end_beside, _end_beside_3)(z, vz, FIXED(18));
-            EACH(SET, _end_beside_3, gap)
-            CALL(court_near_end_plane, _near_end_plane_3)(gap, nearest);
-            EACH(SET, _near_end_plane_3, nearest)
-            CALL(court_bridge_separation, _bridge_separation_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(21), FIXED(7), FIXED(8), FIXED(16), FIXED(23));
-            EACH(GET, _bridge_separation_1, lift, gap_jerk)
-            CALL(court_ring_impact_settling, _ring_impact_settling_3)(x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, OR_ZERO(position_error), OR_ZERO(velocity_error), mode, per_reach, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(186), FIXED(187), FIXED(188), FIXED(189), FIXED(190), FIXED(109), FIXED(111), FIXED(178), FIXED(191));
-            EACH(GET_MASK, _ring_impact_settling_3, settles, lodges, slides, unpressed)
-            BOUNDS(EACH(SELECT, (_if_here_9, _ring_impact_settling_3), assured))
-            EACH(GET_MASK, _ring_impact_settling_3, undecided)
-            CALL(court_settled, _settled_3)(K(2.0), OR_ZERO(position_error), OR_ZERO(velocity_error), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
-            EACH(SELECT, (_if_here_9, _settled_3), mode, held, outcome, slip_left)
 #if BOUNDED
-            EACH(SELECT, (_if_here_9, _settled_3), uncertain)
             CALL(court_bridge_seam0, _bridge_seam0_1)(x, vx, FIXED(9), FIXED(120));
             EACH(SET, _bridge_seam0_1, gap)
             CALL(court_seam_undecided, _seam_undecided_7)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
@@ -3418,6 +3405,19 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             CALL(court_seam_undecided, _seam_undecided_12)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
             EACH(SELECT, (_if_here_9, _seam_undecided_12), uncertain)
 #endif
+            CALL(court_end_beside, _end_beside_3)(z, vz, FIXED(18));
+            EACH(SET, _end_beside_3, gap)
+            CALL(court_near_end_plane, _near_end_plane_3)(gap, nearest);
+            EACH(SET, _near_end_plane_3, nearest)
+            CALL(court_bridge_separation, _bridge_separation_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(21), FIXED(7), FIXED(8), FIXED(16), FIXED(23));
+            EACH(GET, _bridge_separation_1, lift, gap_jerk)
+            CALL(court_ring_impact_settling, _ring_impact_settling_3)(x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, OR_ZERO(position_error), OR_ZERO(velocity_error), mode, per_reach, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(186), FIXED(187), FIXED(188), FIXED(189), FIXED(190), FIXED(109), FIXED(111), FIXED(178), FIXED(191));
+            EACH(GET_MASK, _ring_impact_settling_3, settles, lodges, slides, unpressed)
+            BOUNDS(EACH(SELECT, (_if_here_9, _ring_impact_settling_3), assured))
+            EACH(GET_MASK, _ring_impact_settling_3, undecided)
+            CALL(court_settled, _settled_3)(K(2.0), OR_ZERO(position_error), OR_ZERO(velocity_error), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
+            EACH(SELECT, (_if_here_9, _settled_3), mode, held, outcome, slip_left)
+            BOUNDS(EACH(SELECT, (_if_here_9, _settled_3), uncertain))
         }
         EACH(STORE, slow_, held, mode, outcome, slip_left)
 #if BOUNDED

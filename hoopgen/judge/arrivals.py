@@ -25,7 +25,11 @@ def holds(bounds: Function, state: Sequence[Number], values: list[arb]) -> bool 
     values
         The kernels' inputs.
     """
-    sides = [sign(bound) for bound in bounds(state, values)]
+    return _none_positive([sign(bound) for bound in bounds(state, values)])
+
+
+def _none_positive(sides: Sequence[int | None]) -> bool | None:
+    """Return whether no sign is positive; None if one is undecided and none is positive."""
     if 1 in sides:
         return False
     return None if None in sides else True
@@ -46,10 +50,7 @@ def stays_in(region: Function, path: Sequence[Number], values: list[arb]) -> boo
     values
         The kernels' inputs.
     """
-    sides = [_side_after(bound) for bound in region(path, values)]
-    if 1 in sides:
-        return False
-    return None if None in sides else True
+    return _none_positive([_side_after(bound) for bound in region(path, values)])
 
 
 def _side_after(bound: Number) -> int | None:

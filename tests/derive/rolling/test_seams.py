@@ -56,3 +56,4 @@ def test_each_seam_of_the_box_under_a_ball_is_decided() -> None:
     found = {pair for stage in ("detect", "resolve") for pair in pairwise(evaluations(stage))}
     for decision in ("beside_seam", "seam_free_time", "near_seam"):
         assert {one for one, follower in found if follower == decision} == seams, decision
+    assert {follower for one, follower in found if one == "near_seam"} == {"seam_undecided"}
