@@ -59,7 +59,7 @@ def drops(shots: int, seed: int) -> NDArray[np.float64]:
     states[:, :3] = rng.uniform((-0.6, -0.6, 0.6), (0.6, 0.6, 1.8), (shots, 3))
     states[:, 0] += 4 * rng.integers(4, size=shots)
     aim = rng.uniform(-0.4, 0.4, (shots, 3))
-    aim[:, 0] += 4 * np.round(states[:, 0] / 4)
+    aim[:, 0] = 4 * np.round(states[:, 0] / 4) + rng.uniform(-0.4, 0.4, shots)
     time = rng.uniform(0.2, 0.7, (shots, 1))
     states[:, 3:6] = (aim - states[:, :3]) / time + (0, 0, 9.81 / 2) * time
     states[:, 6:] = rng.normal(0, 10, (shots, 3))
