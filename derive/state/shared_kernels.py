@@ -237,8 +237,8 @@ def for_each(
     alike
         The surfaces.
     body
-        Function of a surface, and of the name of its index, that returns the nodes. The surface
-        has the sizes of the kernels' own, whatever the body does with them.
+        Function of a surface, and of the name of its index, that returns the nodes, as for the
+        first surface of the kind. The variables of the others are put into them here.
     near
         Inputs of the group test, if the nodes do not affect a shot that is far from the surface and
         the surfaces have kernels for that test.
