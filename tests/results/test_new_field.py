@@ -137,8 +137,8 @@ assert counts.tolist() == [np.count_nonzero(shots.longest_flight)]
 assert not hasattr(certify(states[valid[:2]], scene=scene), "longest_flight")
 settled = scene.simulate(states, settle=True)
 assert np.array_equal(settled.longest_flight, shots.longest_flight, equal_nan=True)
-doubted = {name: getattr(shots, name).copy() for name in scene.layout.results}
-doubted["uncertain"][valid[:5]] = True
+doubted = {name: getattr(shots, name).copy() for name in scene.layout.fields}
+doubted["uncertain"][valid[:40]] = True
 assert len(settle(doubted, states, {}, scene=scene))
 assert np.array_equal(doubted["longest_flight"], shots.longest_flight, equal_nan=True)
 
