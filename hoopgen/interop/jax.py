@@ -57,7 +57,8 @@ def simulate(
 ) -> ShotArrays:
     """Simulate shots in JAX: the same bits as `hoopgen.simulate`, under jit, vmap, jvp and grad.
 
-    Only "time" and "state" have derivatives, by the states and by the parameters, of first order.
+    Only "time" and "state" have derivatives, by the states and by the parameters, of first order:
+    a second derivative, such as ``jax.hessian``, raises NotImplementedError.
 
     Parameters
     ----------
@@ -336,13 +337,14 @@ class _Simulator:
             return results, changes
         shape = (*lead, len(STATE) + 1, len(names))
         check_room("states", math.prod(shape), "derivatives", 8)
-        jacobian = jax.pure_callback(
-            lambda states, *values: self._jacobian(names, states, values),
-            _array_type(shape),
-            states,
-            *values,
-            vmap_method="broadcast_all",
-        )
+        jacobian = _first_order(
+            lambda *primals: jax.pure_callback(
+                lambda states, *values: self._jacobian(names, states, values),
+                _array_type(shape),
+                *primals,
+                vmap_method="broadcast_all",
+            )
+        )(states, *values)
         columns = [] if is_zero[0] else [tangents[0]]
         columns += [jnp.broadcast_to(tangents[1 + k], lead)[..., None] for k in moving]
         product = jnp.einsum("...rk,...k->...r", jacobian, jnp.concatenate(columns, axis=-1))
@@ -371,6 +373,19 @@ class _Simulator:
             if self._options.zero:
                 found[~shots.differentiable] = 0.0
         return found.reshape(*lead, *found.shape[1:])
+
+
+def _first_order(derivative: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a function whose own derivatives are refused."""
+
+    def refuse(primals: Arrays, tangents: Arrays) -> Any:
+        raise NotImplementedError(
+            "hoopgen.jax.simulate: hoopgen has first derivatives only, and JAX asks for second ones"
+        )
+
+    function = jax.custom_jvp(derivative)
+    function.defjvp(refuse)
+    return function
 
 
 def _expanded(value: Any, lead: tuple[int, ...]) -> NDArray[np.float64]:
