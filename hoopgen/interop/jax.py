@@ -29,6 +29,7 @@ from hoopgen.simulation.lookup import engine_of
 from hoopgen.simulation.run import MAX_CONTACTS_WITHOUT_THREADS, run
 from hoopgen.text.shorten import brief
 
+from .first_order import first_order
 from .shot_arrays import ShotArrays
 from .xla_handler import target_of
 
@@ -337,7 +338,7 @@ class _Simulator:
             return results, changes
         shape = (*lead, len(STATE) + 1, len(names))
         check_room("states", math.prod(shape), "derivatives", 8)
-        jacobian = _first_order(
+        jacobian = first_order(
             lambda *primals: jax.pure_callback(
                 lambda states, *values: self._jacobian(names, states, values),
                 _array_type(shape),
@@ -373,19 +374,6 @@ class _Simulator:
             if self._options.zero:
                 found[~shots.differentiable] = 0.0
         return found.reshape(*lead, *found.shape[1:])
-
-
-def _first_order(derivative: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a function whose own derivatives are refused."""
-
-    def refuse(primals: Arrays, tangents: Arrays) -> Any:
-        raise NotImplementedError(
-            "hoopgen.jax.simulate: hoopgen has first derivatives only, and JAX asks for second ones"
-        )
-
-    function = jax.custom_jvp(derivative)
-    function.defjvp(refuse)
-    return function
 
 
 def _expanded(value: Any, lead: tuple[int, ...]) -> NDArray[np.float64]:

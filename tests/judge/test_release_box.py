@@ -132,7 +132,7 @@ def test_a_box_with_a_release_that_ends_otherwise_is_never_proved() -> None:
 
 
 def test_no_part_is_narrower_than_doubles_at_the_ends_of_its_box() -> None:
-    """Of balls that are dropped on the axis of the ring that axis stays undecided."""
+    """A ball that is dropped on the axis of the ring stays undecided."""
     proof = hoopgen.certify_box({"x": 0, "z": 1}, {"x": 0.01})
     assert len(proof.outcomes) < 200
     assert (proof.high - proof.low).min() >= np.spacing(0.01) / 2
