@@ -428,10 +428,10 @@ def test_ctrl_c_is_one_word(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_generate_lists_what_it_wrote(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     codegen = pytest.importorskip("hoopgen.codegen")
-    monkeypatch.setattr(codegen, "generate", lambda root: [root / "generated" / "c" / "hoop.c"])
+    monkeypatch.setattr(codegen, "generate", lambda root, _: [root / "generated" / "c" / "hoop.c"])
     result = run("generate", "--root", str(tmp_path))
     assert result.stdout == f"{Path('generated', 'c', 'hoop.c')}\n"
-    monkeypatch.setattr(codegen, "generate", lambda root: [])
+    monkeypatch.setattr(codegen, "generate", lambda root, _: [])
     assert "up to date" in run("generate", "--root", str(tmp_path)).stdout
 
 
