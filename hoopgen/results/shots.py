@@ -57,7 +57,8 @@ class Shots(Exports):
     time
         float64 (n,), s: time at the end plane; of a capped or short shot, at the last contact, in
         air of a short one at the piece in which that is known. A ball that left a body without
-        speed, as after restitution 0, flies up to 2^-7 s later: then that time.
+        speed, as after restitution 0, flies up to 2^-7 s later: then that time. Of a ball that is
+        lodged where its bounces end, at the last of these; the rest of them takes microseconds.
     state
         float64 (n, 9), state at that time.
     rolls

@@ -679,7 +679,7 @@ def test_a_shot_of_a_scene_is_proved_on_the_command_line(hole: Path) -> None:
     [
         (("--speed", "3"), "--speed is of a shot at a hoop; with --scene give --position and"),
         ((), "missing --position and --velocity"),
-        ((*GIVEN, "--preset", "nba"), "--preset is a hoop's"),
+        ((*GIVEN, "--preset", "nba"), "--preset nba is not one of the scene hole: it has none"),
         ((*GIVEN, "--set", "spring=2"), "'spring' is none of bounce"),
         ((*GIVEN, "--set", "bounce=x"), "bounce: 'x' is not a number"),
         (
