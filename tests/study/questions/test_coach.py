@@ -162,3 +162,32 @@ def test_the_command_reads_measured_releases(tmp_path: Path) -> None:
     assert "straight at the centre" in text
     assert "--from has the player's releases" in failure(*words, "--makes", "70%")
     assert "give --from" in failure("coach", "--where", "player == Ann")
+    assert "give --from" in failure("coach", "--override")
+
+
+@pytest.mark.parametrize("command", ["coach", "best"])
+def test_results_are_coached_in_their_scene(
+    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Options contradict it with --override alone."""
+    file, results, given = tmp_path / "shots.csv", tmp_path / "results.csv", list[float]()
+    released = arguments_of(PLAYER.draw(0, 20, 5, NBA).states)
+    rows = [
+        f"{released['speed'][row]},{np.degrees(released['elevation'][row])},7,13.75"
+        for row in range(20)
+    ]
+    head = "speed_m_s,elevation_deg,height_ft,distance_ft"
+    file.write_text("\n".join([head, *rows]) + "\n", encoding="utf-8")
+    output("batch", file, "--out", results, "--preset", "nba", "--set", "restitution=0.61")
+
+    def stop(*values: object, **options: object) -> None:
+        parameters = options.get("parameters") or values[1]
+        given.append(dict(parameters)["restitution"])  # type: ignore[call-overload]
+        raise ValueError("enough")
+
+    monkeypatch.setattr(hoopgen, {"best": "best_shots"}.get(command, command), stop)
+    for options in ((), ("--preset", "fiba", "--override")):
+        assert "enough" in failure(command, "--from", results, *options)
+    assert given == [0.61, hoopgen.FIBA["restitution"]]
+    said = failure(command, "--from", results, "--preset", "fiba")
+    assert "expected NBA, restitution 0.61, got FIBA" in said
