@@ -191,3 +191,21 @@ def test_results_are_coached_in_their_scene(
     assert given == [0.61, hoopgen.FIBA["restitution"]]
     said = failure(command, "--from", results, "--preset", "fiba")
     assert "expected NBA, restitution 0.61, got FIBA" in said
+
+
+def test_advice_names_its_scene_shots_and_seed(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    found = hoopgen.coach(PLAYER, parameters=NBA | {"gravity": 9.8}, shots=1_500, seed=7)
+    record = json.loads(json.dumps(found.as_dict()))
+    assert (record["shots"], record["seed"]) == (1_500, 7)
+    assert record["scene"] == "NBA, gravity 9.8 m/s²"
+    assert record["parameters"]["gravity"] == 9.8
+    said = {"scene": record["scene"], "shots": "1,500 before and after each change", "seed": "7"}
+    assert found.origin == said
+    assert str(found).endswith(
+        "scene    NBA, gravity 9.8 m/s²\nshots    1,500 before and after each change\nseed     7"
+    )
+    sentences = "Scene: NBA, gravity 9.8 m/s². Shots: 1,500 before and after each change. Seed: 7."
+    label = found.plot().axes[0].get_xlabel()
+    assert sentences in label.replace("\n", " ").replace("\N{NO-BREAK SPACE}", " ")
+    assert sentences in found.page(tmp_path / "a.html").read_text("utf-8")
