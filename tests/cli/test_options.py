@@ -174,6 +174,8 @@ def test_a_report_is_not_written_over_the_study_in_python_either(folder: Path) -
         ("estimate --solve 100", "'--solve': '100' is no share"),
         ("estimate --solve 0", "'--solve': '0' is no share"),
         ("estimate --precision 70", "'--precision': '70' is no share above 0% and below 100%"),
+        (f"estimate{SHOT[4:]} --by banana", "--by: expected made or missed, got 'banana'"),
+        (f"estimate{SHOT[4:]} --by missed", "--by is of --versus and --solve"),
         (f"{SHOT} --distance 420m", "distance is in m, and these are more than 100: 420. "),
     ],
 )
