@@ -483,14 +483,14 @@ def test_samples_of_measured_releases_say_how_many_there_are(
 
 
 def test_a_fan_of_a_fitted_player_says_the_interval_of_the_sample(measured: Path) -> None:
-    """It is that of `estimate` for as many shots."""
+    """The interval is that of `estimate` for as many shots."""
     asked = ["--from", str(measured), *WHERE, "--shots", "500", "--fitted", "--json"]
     found = json.loads(run("fan", *asked).stdout)["sample"]
     assert found == {"made": json.loads(run("estimate", *asked).stdout)["sample"]}
 
 
 def test_distances_of_landings_have_intervals(measured: Path) -> None:
-    """Of the shots by their ranks, of the sample by those of its misses."""
+    """Intervals of the shots are by their ranks, those of the sample by the ranks of its misses."""
     asked = ["landings", *SHOTS, "--shots", "2000"]
     found = json.loads(run(*asked, "--json").stdout)["landings"]
     states = hoopgen.Scatter({**RELEASE, "backspin": 0.0}, {"speed": 0.1}).draw(0, 2000).states
