@@ -12,7 +12,7 @@ import hoopgen
 from hoopgen.hoop.releases import CATCHING_HEIGHT
 from hoopgen.report.provenance import describe_setting, footer, sentences
 from hoopgen.report.quantities import STILL
-from hoopgen.text.numbers import format_interval, format_percent, format_uncertain
+from hoopgen.text.numbers import format_count, format_interval, format_percent, format_uncertain
 
 from .invalid_warnings import warn_invalid_shots
 from .release_options import Releasing
@@ -69,6 +69,8 @@ class ShotSample:
         lines = [f"{'shots':{NAMES}}{shares.shots:,}: {', '.join(said)}"]
         if shares.still:
             return f"{lines[0]} ({STILL})"
+        if not self._there:
+            return lines[0]
         alone = " of the simulation alone" if shares.sample else ""
         lines.append(f"{'interval':{NAMES}}{self._ends} (Wilson's {level} intervals{alone})")
         if shares.sample:
@@ -86,7 +88,10 @@ class ShotSample:
                 f"{level} intervals of the simulation alone: {self._ends}; of the sample, "
                 f"{self._measured}: {self._sample_ends}."
             )
-        return " ".join([*([] if shares.still else [said]), sentences(self.provenance)])
+        parts = [] if shares.still or not self._there else [said]
+        if invalid := shares.counts["invalid"]:
+            parts.insert(0, f"{invalid:,} of {format_count(shares.shots, 'shot')} invalid.")
+        return " ".join([*parts, sentences(self.provenance)])
 
     @property
     def footer(self) -> str:

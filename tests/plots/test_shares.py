@@ -517,3 +517,14 @@ def test_distances_of_landings_have_intervals(measured: Path) -> None:
     ends = found["sample"]["0.5"].values()
     assert all(end in ("inf", "-inf") or np.abs(away - end).min() < 1e-12 for end in ends)
     assert "of the sample: 50% within" in run(*asked).stdout
+
+
+def test_without_a_valid_shot_there_is_no_interval(tmp_path: Path) -> None:
+    """No speed brings a ball that is thrown downwards to the ring."""
+    asked = ["landings", *WHERE, "--aim", "0", "--elevation=-20deg", "--scatter", "elevation=1deg"]
+    asked += ["--shots", "5"]
+    said = run(*asked).stdout
+    assert said.startswith("shots    5: 5 invalid\nland  ")
+    assert "interval" not in said
+    note = note_of(*asked, "--picture", str(tmp_path / "picture.svg"))
+    assert "5 of 5 shots invalid. Release:" in note
