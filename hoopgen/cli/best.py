@@ -20,7 +20,7 @@ from .messages import echo_json, echo_lines, examples, shown
 from .options import json_option, picture_option, preset_options, units_option
 from .player_option import fitted_player, from_table
 from .question_options import question_options, setting_options
-from .scene_option import engine_of, parameters_of, scene_option
+from .scene_option import engine_of, scene_option
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -49,6 +49,7 @@ def best(
     where: tuple[str, ...],
     preset: str,
     settings: Mapping[str, float],
+    override: bool,
     picture: Path | None,
     as_json: bool,
     **options: Any,
@@ -60,18 +61,18 @@ def best(
     another seed says how far the results are from exact.
     """
     engine = engine_of()
-    parameters = parameters_of(engine, preset, settings)
-    player, read = fitted_player(file, where, parameters, engine)
+    player = fitted_player(file, where, engine, preset, settings, override=override)
     with shown() as progress:
-        found = hoopgen.best_shots(player, parameters, scene=engine, progress=progress, **options)
+        found = hoopgen.best_shots(
+            player.fitted, player.parameters, scene=engine, progress=progress, **options
+        )
     if picture is not None:
         hoopgen.plots.save(hoopgen.plots.plot_best_shots(found), picture)
     if as_json:
         echo_json(_record(found, engine))
     else:
         echo_lines(_text(found))
-    if read:
-        echo_lines(f"\n{read}", err=as_json)
+    player.echo(err=as_json)
 
 
 def _text(found: xr.Dataset) -> str:

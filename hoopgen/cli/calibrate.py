@@ -13,10 +13,11 @@ from hoopgen.study.questions.measured_specification import CalibrateQuestion
 
 from .command import command
 from .messages import echo_json, echo_lines, examples
-from .options import json_option, picture_option, preset_options
+from .options import json_option, override_option, picture_option, preset_options
 from .path_types import FILE
 from .question_options import question_options
-from .scene_option import engine_of, parameters_of, scene_option
+from .scene_option import engine_of, scene_option
+from .shot_files import reading_of, simulation_options, with_its_scene
 from .types import DEVIATION, once
 
 _COLUMNS = """\b
@@ -40,9 +41,10 @@ Only made or outcome is needed; an empty cell is not known.
         "    --instrument speed=3cm/s --instrument elevation=0.5deg",
     )
 )
-@click.argument("file", type=FILE)
+@click.argument("file", type=FILE, callback=with_its_scene)
 @scene_option
 @preset_options
+@override_option
 @click.option(
     "--instrument",
     "errors",
@@ -57,11 +59,12 @@ Only made or outcome is needed; an empty cell is not known.
 @json_option
 def calibrate(
     file: Path,
-    preset: str,
-    settings: Mapping[str, float],
+    override: bool,
     errors: Mapping[str, float],
     picture: Path | None,
     as_json: bool,
+    preset: str,
+    settings: Mapping[str, float],
     **options: Any,
 ) -> None:
     """Find the restitution and friction with which measured shots most likely end as they did.
@@ -73,9 +76,14 @@ def calibrate(
     from hoopgen.study.recovery.calibrate_table import calibrate_table
 
     engine = engine_of()
-    parameters = parameters_of(engine, preset, settings)
+    asked, assumption = simulation_options(engine, file, reading_of(dict(options)))
     found = calibrate_table(
-        file, scene=engine, parameters=parameters, errors=errors or None, **options
+        file,
+        scene=engine,
+        parameters=asked["parameters"],
+        errors=errors or None,
+        override=override,
+        **options,
     )
     if picture is not None:
         hoopgen.plots.save(found.scene.plot(), picture)
@@ -84,3 +92,5 @@ def calibrate(
     else:
         echo_lines(str(found.scene))
     echo_lines(f"\n{found.read}", err=as_json)
+    if assumption:
+        click.echo(assumption, err=True)

@@ -20,7 +20,7 @@ from .path_types import OUT
 from .place_option import PlaceName
 from .player_option import fitted_player, from_table
 from .question_options import question_options, setting_options
-from .scene_option import engine_of, parameters_of, scene_option
+from .scene_option import engine_of, scene_option
 
 
 @command(
@@ -47,6 +47,7 @@ def coach(
     place: str | None,
     preset: str,
     settings: Mapping[str, float],
+    override: bool,
     out: Path | None,
     picture: Path | None,
     as_json: bool,
@@ -60,18 +61,18 @@ def coach(
     from hoopgen.study.named_units import in_units
 
     engine = engine_of()
-    parameters = parameters_of(engine, preset, settings)
     if file is not None and (options["makes"] is not None or place is not None):
         raise click.UsageError("--from has the player's releases; leave out --makes, --place")
-    player, read = fitted_player(file, where, parameters, engine)
-    found = hoopgen.coach(player, place=place, parameters=parameters, scene=engine, **options)
+    player = fitted_player(file, where, engine, preset, settings, override=override)
+    found = hoopgen.coach(
+        player.fitted, place=place, parameters=player.parameters, scene=engine, **options
+    )
     if picture is not None:
         hoopgen.plots.save(found.plot(), picture)
     if out is not None:
-        found.page(out, read=read)
+        found.page(out, read=player.read)
     if as_json:
         echo_json(in_units(found.as_dict(), engine))
     else:
         echo_lines(str(found))
-    if read:
-        echo_lines(f"\n{read}", err=as_json)
+    player.echo(err=as_json)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from hoopgen.core.units import parse_quantity
+from hoopgen.study.models.plausible import check_plausible
 from hoopgen.text.shorten import brief
 
 from .types import Parsed
@@ -25,6 +26,8 @@ def _distances(text: str) -> tuple[float, ...]:
         raise ValueError(f"{brief(text)} is not FROM:TO:STEP, such as 1m:7m:0.5m")
     if min(lengths) < 0.0:
         raise ValueError(f"expected 0 m or more, got {min(lengths):.6g} m")
+    for length in lengths:
+        check_plausible("distance", length, text)
     return lengths
 
 

@@ -84,6 +84,11 @@ def estimate(
     if releasing.measured and not releasing.fitted and (own := [n for n in gradient if "." in n]):
         said = "is of a scatter, which measured releases have with --fitted"
         raise click.UsageError(f"--gradient: {own[0]} {said}.")
+    if work["by"] is not None and not versus and share is None:
+        from hoopgen.study.jobs.monte_carlo import outcome_by
+
+        outcome_by(releasing.engine, work["by"])
+        raise click.UsageError("--by is of --versus and --solve; without them each end has a share")
     check_caught(measures)
     work |= {"precision": precision, "measures": measures, "gradient": gradient}
     if share is not None and not (releasing.sd or releasing.measured):

@@ -140,7 +140,8 @@ def _refuse_columns(
 
 
 def reading_of(options: dict[str, Any]) -> ReadingOptions:
-    """Return the reading of a table, from the options of `reading_options`, which are removed."""
+    """Return the reading of a table, from those of `reading_options`, which are removed."""
     from hoopgen.study.tables.reading import ReadingOptions
 
-    return ReadingOptions.from_options(**{name: options.pop(name) for name in READING})
+    given = {name: options.pop(name) for name in READING if name in options}
+    return ReadingOptions.from_options(**given)

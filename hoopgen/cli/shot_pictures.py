@@ -3,29 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, replace
+from math import inf
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 import hoopgen
-from hoopgen.report.provenance import describe_setting, footer, sentences
 from hoopgen.report.quantities import for_json, format_variable
 from hoopgen.scene.lookup import check_hoop
 from hoopgen.study.questions.specification import FanQuestion, LandingsQuestion
-from hoopgen.text.numbers import format_count, format_percent, format_uncertain
+from hoopgen.text.numbers import format_count, format_percent
 
 from .command import command
-from .invalid_warnings import warn_invalid_shots
 from .messages import echo_json, examples
 from .options import UNITS_IN_WORDS, json_option, picture_option, units_option
 from .question_options import question_options
 from .release_options import Releasing, from_option, release_needs, release_options
+from .shot_sample import CONFIDENCE, NAMES, ShotSample, sample_shots
 
 if TYPE_CHECKING:
-    from hoopgen.core.variables import Releases
     from hoopgen.engine.compiled_scene import CompiledScene
     from hoopgen.study.questions.landings import Landings
     from hoopgen.study.statistics.distributions import Spread
@@ -36,11 +34,11 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1de
 _REBOUNDS = ("rebound_distance", "rebound_time", "rebound_angle")
 """Measures that describe rebounds."""
 
+_FLOOR = ("floor_x", "floor_y")
+"""Measures that describe landings."""
+
 _WITHIN = (0.5, 0.9)
 """Shares of the misses for which a distance is given."""
-
-_CONFIDENCE = 0.95
-"""Confidence of intervals, as of `hoopgen estimate`."""
 
 
 @command(
@@ -70,18 +68,18 @@ def fan(
 ) -> None:
     """Sample a player's shots and draw their paths from the side, by outcome.
 
-    Shots scatter about a release, or are drawn from measured ones, as for `hoopgen estimate`, which
-    says the shares of more shots with their intervals.
+    Shots scatter about a release, or are drawn from measured ones, as for `hoopgen estimate`, whose
+    more shots have narrower intervals.
     """
-    sample = _sample(releasing, shots, record=picture is not None, **work)
+    sample = sample_shots(releasing, shots, record=picture is not None, **work)
     if picture is not None:
-        scene, note = sample.released.parameters, sentences(sample.provenance)
+        scene, note = sample.released.parameters, sample.note
         picture_of_paths = hoopgen.plots.plot_fan(sample.shots, scene, paths=paths, note=note)
         hoopgen.plots.save(picture_of_paths, picture)
     if as_json:
-        _echo(sample.as_dict(), sample.shots.scene)
+        _echo(sample.shares.as_dict(), sample.shots.scene)
     else:
-        click.echo(f"{sample.line}\n\n{footer(9, sample.provenance)}")
+        click.echo(f"{sample.line}\n\n{sample.footer}")
 
 
 @command(
@@ -119,85 +117,128 @@ def landings(
 
     check_hoop("landings", releasing.engine)
     height = None if catching_height is None else check_height(catching_height)
-    sample = _sample(releasing, shots, record=False, **work)
-    there = landings_of(sample.released, sample.shots, height)
+    work |= {"measures": _FLOOR if height is None else _REBOUNDS}
+    work |= {} if height is None else {"catching_height": height}
+    sample = sample_shots(releasing, shots, **work)
+    there, note = landings_of(sample.released, sample.shots, height), sample.note
     if height is None:
-        text, record = _where(there), {"landings": _within(there)}
+        distances = _distances(there, sample)
+        text, record = distances.text, {"landings": distances.as_dict()}
+        note = " ".join(filter(None, [distances.note, note]))
     else:
-        measured = _caught(sample, height, work)
+        measured = _caught(sample, height)
         text = "\n".join(spread_lines(measured))
         record = {"measured": {name: one.as_dict() for name, one in measured.items()}}
     if as_json:
-        _echo(sample.as_dict() | record, sample.shots.scene)
+        _echo(sample.shares.as_dict() | record, sample.shots.scene)
     else:
-        click.echo(f"{sample.line}\n{text}\n\n{footer(9, sample.provenance)}")
-    if picture is not None:  # without misses there is none, which is then an error
-        scene, note = sample.released.parameters, sentences(sample.provenance)
+        click.echo(f"{sample.line}\n{text}\n\n{sample.footer}")
+    if picture is not None:
+        scene = sample.released.parameters
         places = hoopgen.plots.plot_landings(there.x, there.y, scene, note=note, **there.seen)
         hoopgen.plots.save(places, picture)
 
 
 @dataclass(frozen=True)
-class _Sample:
-    """A sample of a player's shots, their results and their provenance."""
+class _Distances:
+    """Distances from the point below the ring's centre within which shares of the misses land.
 
-    setting: Any
-    released: Releases
-    shots: hoopgen.Shots
-    seed: int
+    Attributes
+    ----------
+    shots, misses
+        Number of misses that reach the floor, and of all.
+    quantiles
+        By share the distance, and the ends of its interval, that of the simulation alone; m.
+        Infinite where the shots are too few for an end.
+    sample
+        Of measured releases, by share the interval that contains the uncertainty of the sample.
+    still
+        Whether nothing scatters.
+    """
 
-    @cached_property
-    def provenance(self) -> dict[str, str]:
-        """The provenance of the shots, in words."""
-        description = describe_setting(self.setting.identity(), self.shots.scene)
-        return description | {"seed": str(self.seed)}
-
-    @cached_property
-    def counts(self) -> dict[str, int]:
-        """Number of shots by outcome."""
-        outcome = self.shots.outcome
-        return {one.name.lower(): int((outcome == one).sum()) for one in self.shots.scene.outcomes}
-
-    @property
-    def uncertain(self) -> tuple[int, int]:
-        """The number of uncertain shots, and of capped ones among them."""
-        uncertain, outcomes = self.shots.uncertain, self.shots.scene.outcomes
-        capped = uncertain & (self.shots.outcome == outcomes["CAPPED"])
-        return int(uncertain.sum()), int(capped.sum())
-
-    @property
-    def line(self) -> str:
-        """The shares of the outcomes, in words."""
-        total, counts = len(self.shots), self.counts.items()
-        shares = [f"{format_percent(count / total)} {name}" for name, count in counts if count]
-        if self.uncertain[0]:
-            shares.append(format_uncertain(*self.uncertain))
-        return f"shots    {total:,}: {', '.join(shares)}"
+    shots: int
+    misses: int
+    quantiles: Mapping[float, tuple[float, float, float]]
+    sample: Mapping[float, tuple[float, float]]
+    still: bool
 
     def as_dict(self) -> dict[str, Any]:
-        """Return everything, as an estimate has it."""
-        uncertain, capped = self.uncertain
-        return {
-            "shots": len(self.shots),
-            "counts": self.counts,
-            "uncertain": uncertain,
-            "uncertain_capped": capped,
-            "seed": self.seed,
-            "setting": dict(self.setting.identity()),
-            "scene": self.provenance["scene"],
+        """Return everything, in types that JSON knows."""
+        ends = ("value", "low", "high")
+        record: dict[str, Any] = {
+            "unit": "m",
+            "shots": self.shots,
+            "quantiles": {
+                f"{p:g}": dict(zip(ends, one, strict=True)) for p, one in self.quantiles.items()
+            },
         }
+        sample = {f"{p:g}": {"low": low, "high": high} for p, (low, high) in self.sample.items()}
+        return record | ({"sample": sample} if sample else {})
+
+    @property
+    def text(self) -> str:
+        """The distances with their intervals."""
+        if not self.misses:
+            return f"{'land':{NAMES}}no shot was missed"
+        if not self.shots:
+            return f"{'land':{NAMES}}none of the missed ones reaches the floor"
+        half, most = (format_variable("distance", one[0]) for one in self.quantiles.values())
+        line = (
+            f"{'land':{NAMES}}half of {format_count(self.shots, 'missed shot')} within {half} of "
+            f"the point below the ring's centre, 90% within {most}"
+        )
+        return "\n".join([line, *([f"{'':{NAMES}}({self.note})"] if self.note else [])])
+
+    @property
+    def note(self) -> str:
+        """The intervals of the distances; empty where there is nothing to be estimated."""
+        if self.still or not self.quantiles:
+            return ""
+        ends = {p: (low, high) for p, (_, low, high) in self.quantiles.items()}
+        level = format_percent(CONFIDENCE, None)
+        if not self.sample:
+            return f"{level} intervals of these distances: {_ends(ends)}"
+        return (
+            f"{level} intervals of these distances, of the simulation alone: {_ends(ends)}; of the "
+            f"sample: {_ends(self.sample)}"
+        )
 
 
-def _sample(releasing: Releasing, count: int, *, seed: int, **options: Any) -> _Sample:
-    """Sample a player's shots and simulate them, with options of `hoopgen.simulate`."""
-    from hoopgen.study.jobs.monte_carlo import setting_of
+def _ends(found: Mapping[float, tuple[float, float]]) -> str:
+    """Return intervals of distances in words."""
+    texts = []
+    for p, (low, high) in found.items():
+        least = max(low, 0.0)
+        text = f"{format_variable('distance', least)} or more"
+        if high < inf:
+            least_alone = format_variable("distance", least, unit=False)
+            text = f"{least_alone} to {format_variable('distance', high)}"
+        texts.append(f"{format_percent(p, 0)} within {text}")
+    return ", ".join(texts)
 
-    setting = setting_of(*releasing.model(), releasing.engine)
-    released = setting.model.draw(0, count, seed, setting.parameters)
-    shots = hoopgen.simulate(released.states, released.parameters, scene=setting.scene, **options)
-    sample = _Sample(setting, released, shots, seed)
-    warn_invalid_shots(setting.model, released, shots, sample.counts["invalid"], count)
-    return sample
+
+def _distances(there: Landings, sample: ShotSample) -> _Distances:
+    """Return within which distances of the basket shares of the balls come down, m."""
+    import numpy as np
+
+    from hoopgen.results.shots import Outcome
+    from hoopgen.study.statistics.sample import Rows
+
+    away, scene = there.away, sample.shots.scene
+    if not len(away):
+        return _Distances(0, len(there.x), {}, {}, sample.shares.still)
+    landed = Rows(sample.shots.outcome, None, scene, {"away": away})
+    values = {p: float(np.quantile(away, p)) for p in _WITHIN}
+    quantiles = {p: (one, *landed.quantile("away", p, CONFIDENCE)) for p, one in values.items()}
+    if sample.shares.still:
+        quantiles = {p: (one, one, one) for p, one in values.items()}
+    of_sample = {}
+    if sample.rows is not None:
+        x, y = (sample.rows.measured[name] for name in _FLOOR)
+        missed = sample.rows.outcome == Outcome.MISSED
+        rows = replace(sample.rows, measured={"away": np.where(missed, np.hypot(x, y), np.nan)})
+        of_sample = {p: rows.quantile("away", p, CONFIDENCE) for p in _WITHIN}
+    return _Distances(len(away), len(there.x), quantiles, of_sample, sample.shares.still)
 
 
 def _echo(record: Mapping[str, Any], scene: CompiledScene) -> None:
@@ -206,38 +247,10 @@ def _echo(record: Mapping[str, Any], scene: CompiledScene) -> None:
     echo_json(in_units({name: for_json(value) for name, value in record.items()}, scene))
 
 
-def _within(there: Landings) -> dict[str, Any]:
-    """Return within which distances of the basket shares of the balls come down, m."""
-    import numpy as np
-
-    away = there.away
-    quantiles = {f"{p:g}": {"value": float(np.quantile(away, p))} for p in _WITHIN if len(away)}
-    return {"unit": "m", "shots": len(away), "quantiles": quantiles}
-
-
-def _where(there: Landings) -> str:
-    """Return the distances of `_within` as text."""
-    within = _within(there)
-    if not within["shots"]:
-        return "land     none of the missed ones reaches the floor"
-    half, most = (format_variable("distance", one["value"]) for one in within["quantiles"].values())
-    return (
-        f"land     half of {format_count(within['shots'], 'missed shot')} within {half} of the "
-        f"point below the ring's centre, 90% within {most}"
-    )
-
-
-def _caught(sample: _Sample, height: float, work: Mapping[str, Any]) -> dict[str, Spread]:
+def _caught(sample: ShotSample, height: float) -> dict[str, Spread]:
     """Return distances, times and directions of rebounds."""
-    from hoopgen.study.models.resample import Resample
     from hoopgen.study.statistics.distributions import counts_of, spreads, spreads_of_sample
-    from hoopgen.study.statistics.sample import sampled_rows
 
     counts = counts_of(sample.released, sample.shots, _REBOUNDS, height)
-    distributions = spreads(counts, _REBOUNDS, _CONFIDENCE, height)
-    setting = sample.setting
-    if not isinstance(setting.model, Resample):
-        return distributions
-    options = {name: work[name] for name in ("max_contacts", "backend", "threads")}
-    rows = sampled_rows(setting, measures=_REBOUNDS, catching_height=height, **options)
-    return spreads_of_sample(distributions, rows)
+    distributions = spreads(counts, _REBOUNDS, CONFIDENCE, height)
+    return distributions if sample.rows is None else spreads_of_sample(distributions, sample.rows)

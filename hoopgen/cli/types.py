@@ -18,8 +18,11 @@ from hoopgen.hoop.releases import FROM_ZERO
 from hoopgen.hoop.variables import ALTERNATIVE_VARIABLES, ARGUMENTS, VARIABLES
 from hoopgen.report.quantities import format_variable
 from hoopgen.scene.lookup import variables_of
+from hoopgen.study.models.plausible import check_plausible
 from hoopgen.study.questions.values import Quantity, Whole
 from hoopgen.text.shorten import brief, suggestion
+
+from .command import ARGUMENTS as WORDS
 
 Value = TypeVar("Value")
 
@@ -99,10 +102,22 @@ def quantity(kind: Kind, name: str = "") -> Parsed[float]:
     kind
         What is measured; see `hoopgen.core.units.UNITS`.
     name
-        Of the variable; one in `FROM_ZERO` is not negative.
+        Of the variable at a hoop, whose value has to be plausible; one in `FROM_ZERO` is not
+        negative.
     """
     value = Quantity(kind)
-    return Parsed(lambda text: _from_zero(name, value.parse(text), text), value.metavar)
+    return Parsed(lambda text: _plausible(name, value.parse(text), text), value.metavar)
+
+
+def _plausible(name: str, value: float, text: str) -> float:
+    value = _from_zero(name, value, text)
+    return value if _keeps_implausible() else check_plausible(name, value, text)
+
+
+def _keeps_implausible() -> bool:
+    """Return whether the command's words ask for implausible numbers."""
+    context = click.get_current_context(silent=True)
+    return context is not None and "--keep-implausible" in context.meta.get(WORDS, ())
 
 
 def _from_zero(name: str, value: float, text: str) -> float:
@@ -166,6 +181,8 @@ class OfScene(Parsed[Value]):
 def _read(text: str, variable: Variable) -> float:
     try:
         value = parse_quantity(text, variable.kind, infinite=variable.infinite)
+        if VARIABLES.get(variable.name) is variable:  # else it is of a scene of one's own
+            return _plausible(variable.name, value, text)
         return _from_zero(variable.name, value, text)
     except ValueError as error:
         raise ValueError(f"{variable.name}: {error}") from None

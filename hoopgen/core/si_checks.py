@@ -10,6 +10,9 @@ from numpy.typing import ArrayLike
 MAX_LENGTH = 100.0
 """m. No court is so long, nor so high: what exceeds it is in centimetres."""
 
+MAX_SPEED = 100.0
+"""m/s. No ball is thrown half as fast: what exceeds it is in centimetres a second."""
+
 MAX_SPIN = 100.0
 """rad/s, sixteen turns a second: by it the surface of a basketball is faster than its flight."""
 
@@ -79,6 +82,28 @@ def check_lengths(name: str, lengths: Mapping[str, ArrayLike]) -> None:
         raise ValueError(
             f"{name}: {length} is in m, and these are more than {MAX_LENGTH:g}: {median:.6g}. "
             f"Centimetres would be 0.01 times that, or in a table a column {length}_cm"
+        )
+
+
+def check_speeds(name: str, speeds: Mapping[str, ArrayLike]) -> None:
+    """Raise an error if speeds are centimetres a second by their median.
+
+    Parameters
+    ----------
+    name
+        The argument, for the error message.
+    speeds
+        Speeds by name, m/s.
+
+    Raises
+    ------
+    ValueError
+        The message begins with `name`.
+    """
+    for speed, median in _medians_above(MAX_SPEED, speeds):
+        raise ValueError(
+            f"{name}: {speed} is in m/s, and these are more than {MAX_SPEED:g}: {median:.6g}. "
+            f"Centimetres a second would be 0.01 times that, or in a table a column {speed}_cm_s"
         )
 
 

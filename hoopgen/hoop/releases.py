@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.argument_types import check_flag
 from hoopgen.core.jacobian import Jacobian
-from hoopgen.core.si_checks import check_angles, check_lengths, check_spins
+from hoopgen.core.si_checks import check_angles, check_lengths, check_speeds, check_spins
 from hoopgen.core.validation import as_doubles
 from hoopgen.core.variables import STATE
 from hoopgen.engine.draws import release_states, turns
@@ -140,7 +140,7 @@ def release(
     ValueError
         If the shapes do not broadcast, the one speed or distance of all is negative, or units are
         others by the median: angles of more than a turn, spins above `MAX_SPIN`, lengths above
-        `MAX_LENGTH`.
+        `MAX_LENGTH`, speeds above `MAX_SPEED`.
     """
     arguments = {
         "speed": speed,
@@ -154,6 +154,7 @@ def release(
     }
     arrays = {name: as_doubles(name, value) for name, value in arguments.items()}
     check_lengths("release", {name: arrays[name] for name in ("height", "distance")})
+    check_speeds("release", {"speed": arrays["speed"]})
     check_angles("release", {name: arrays[name] for name in _ANGLES})
     check_spins("release", {name: arrays[name] for name in _SPINS})
     states = states_of(arrays)

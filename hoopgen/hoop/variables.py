@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.core.si_checks import check_angles as check_radians
-from hoopgen.core.si_checks import check_lengths, check_spins
+from hoopgen.core.si_checks import check_lengths, check_speeds, check_spins
 from hoopgen.core.validation import as_doubles
 from hoopgen.core.variables import KIND_OF, STATE, Releases, Variable, check_names
 from hoopgen.engine.elementary import arc_tangent, hypotenuse
@@ -73,9 +73,9 @@ VARIABLES: Mapping[str, Variable] = MappingProxyType(
 
 
 def check_angles(name: str, values: Mapping[str, ArrayLike]) -> None:
-    """Refuse lengths, angles and spins that seem not to be in m, rad and rad/s.
+    """Refuse lengths, speeds, angles and spins that seem not to be in m, m/s, rad and rad/s.
 
-    The limits are those of `hoopgen.core.validation`.
+    The limits are those of `hoopgen.core.si_checks`.
 
     Parameters
     ----------
@@ -89,7 +89,13 @@ def check_angles(name: str, values: Mapping[str, ArrayLike]) -> None:
     ValueError
         The message begins with `name`.
     """
-    for kind, check in (("length", check_lengths), ("angle", check_radians), ("spin", check_spins)):
+    checks = {
+        "length": check_lengths,
+        "speed": check_speeds,
+        "angle": check_radians,
+        "spin": check_spins,
+    }
+    for kind, check in checks.items():
         names = (one for one in values if one in VARIABLES and VARIABLES[one].kind == kind)
         check(name, {one: values[one] for one in names})
 

@@ -7,14 +7,20 @@ from typing import TYPE_CHECKING
 from matplotlib.axes import Axes
 
 from hoopgen.core.argument_types import check_arguments
+from hoopgen.report.provenance import sentences
 from hoopgen.study.questions.coach_result import Advice, Coaching, say
+from hoopgen.text.escape import printable
 from hoopgen.text.numbers import format_percent
 
 from .figure import draw_picture
-from .style import COLOURS, INK, PAGE
+from .style import COLOURS, INK, NOTE_SIZE, PAGE, wrap
 
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
+
+
+_WIDE = 4.2
+"""Inches: the width of the note, beside the names of the changes."""
 
 
 @check_arguments
@@ -40,7 +46,7 @@ def plot_coach(found: Coaching, *, title: str = "", ax: Drawn | None = None) -> 
     TypeError
         If `ax` is not axes.
     """
-    height = 0.9 + 0.32 * (len(found.spreads) + len(found.habits))
+    height = 1.1 + 0.32 * (len(found.spreads) + len(found.habits))
     return draw_picture(ax, (PAGE, height), lambda axes: _draw(found, title, axes))
 
 
@@ -61,7 +67,9 @@ def _draw(found: Coaching, title: str, axes: Axes) -> None:
     axes.invert_yaxis()
     axes.axvline(0.0, color=INK, lw=0.8)
     level = format_percent(found.confidence, None)
-    axes.set_xlabel(f"more made of a hundred shots ({level} interval)")
+    note = printable(sentences(found.origin, scene=True))
+    lines = [f"more made of a hundred shots ({level} interval)", *wrap(note, _WIDE, NOTE_SIZE)]
+    axes.set_xlabel("\n".join(lines))
     where = "" if found.place is None else f"{found.place.name}: "
     axes.set_title(
         title or f"{where}{format_percent(found.made)} made; what would help", loc="left"

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.files import check_output, write
 from hoopgen.core.units import INCH
+from hoopgen.report.provenance import sentences
 from hoopgen.simulation.simulate import simulate
 from hoopgen.study.measures.measures import measure
 from hoopgen.study.models.scatter import Scatter
@@ -158,6 +159,7 @@ def _page(found: Coaching, read: str = "") -> str:
         f"({level}) are those of the simulation and, of measured releases, of the sample. "
         "Halving a spread is a comparison of parts, not a promise of what practice reaches.</p>",
     ]
+    body.append(f"<p>{html.escape(sentences(found.origin, scene=True))}</p>")
     if found.place is not None:
         body.append(f"<p>{html.escape(found.place.source)}</p>")
     if read:

@@ -86,7 +86,7 @@ def plot_landings(
     x, y
         Where the ball's centre is at floor level, (n,), m from the ring's centre: the measures
         floor_x and floor_y of the missed shots. NaN where a ball never gets there: it is counted,
-        and has no place.
+        and has no place. Without any place the picture is empty, and says why.
     parameters
         Of the scene; of those that differ from shot to shot the hoop shows the mean.
     place
@@ -120,7 +120,7 @@ def plot_landings(
     TypeError
         If `ax` is not axes.
     ValueError
-        If x and y are not (n,) both, none is a number, or there is no such court.
+        If x and y are not (n,) both, or there is no such court.
     """
     parameters = of_scene(parameters, scene.table)
     lines = find_court(court, parameters)
@@ -128,8 +128,9 @@ def plot_landings(
     if place is not None and as_doubles("place", place, "x and y").shape != (2,):
         raise ValueError(f"place: expected x and y, got {brief(place)}")
     hoop = means(parameters)
-    circles = {share: float(np.quantile(np.hypot(*points.T), share)) for share in _CIRCLE_SHARES}
-    caught = at_height(height, sectors=place is not None)
+    shares, away = _CIRCLE_SHARES if len(points) else (), np.hypot(*points.T)
+    circles = {share: float(np.quantile(away, share)) for share in shares}
+    caught = at_height(height, sectors=place is not None and len(points) > 0)
     note = f"Scene: {describe_scene(scene, parameters)}. {note}"
     places = _Landings(points, misses, circles, place, hoop, lines, note, height, caught)
     return draw_picture(
@@ -143,10 +144,7 @@ def _points(x: ArrayLike, y: ArrayLike) -> tuple[Points, int]:
     if columns[0].ndim != 1 or columns[0].shape != columns[1].shape:
         raise ValueError(f"x, y: expected (n,) both, got {columns[0].shape}, {columns[1].shape}")
     points = np.stack(columns, axis=1)
-    there = points[np.isfinite(points).all(axis=1)]
-    if not len(there):
-        raise ValueError("x, y: expected at least one place, got none that is a number")
-    return there, len(points)
+    return points[np.isfinite(points).all(axis=1)], len(points)
 
 
 @dataclass(frozen=True)
@@ -166,6 +164,8 @@ class _Landings:
     @property
     def full_note(self) -> str:
         """The note of the picture: how many landings it shows, its circles and the scene."""
+        if not len(self.points):
+            return f"{self._nowhere} {self.note}"
         left, right, bottom, top = self.limits
         across, up = on_floor(*self.points.T).T
         seen = int(((across >= left) & (across <= right) & (up >= bottom) & (up <= top)).sum())
@@ -182,19 +182,29 @@ class _Landings:
         return f"{said}. Circles hold shares of those that {down}. {_DISTANCE_NOTE} {self.note}"
 
     @property
+    def _nowhere(self) -> str:
+        """The reason why there is no place."""
+        if not self.misses:
+            return "No shot was missed."
+        down = "reaches the floor" if self.height is None else f"comes down{self.caught}"
+        return f"None of {self.misses:,} {'miss' if self.misses == 1 else 'misses'} {down}."
+
+    @property
     def limits(self) -> Limits:
         """The limits of the view."""
-        radius = max(self.circles.values())
+        radius = max(self.circles.values(), default=0.0)
         return _limits(self.points, radius, self.scene, self.place, self.court)
 
-    def draw(self, axes: Axes, limits: Limits) -> PolyCollection:
-        """Draw everything but the floor on a floor plan."""
-        shown = on_floor(*self.points.T)
-        cells = _draw_density(axes, shown, limits, self.scene["ball_radius"])
-        _limit_shades(cells)
+    def draw(self, axes: Axes, limits: Limits) -> PolyCollection | None:
+        """Draw everything but the floor on a floor plan; return the cells, None without a place."""
+        cells = None
+        if len(self.points):
+            shown = on_floor(*self.points.T)
+            cells = _draw_density(axes, shown, limits, self.scene["ball_radius"])
+            _limit_shades(cells)
         for share, radius in self.circles.items():
             _draw_circle(axes, radius, share)
-        if self.height is not None and self.place is not None:
+        if self.height is not None and self.place is not None and self.circles:
             draw_sectors(axes, self.points, self.place, max(self.circles.values()))
         if self.place is not None:
             _draw_release(axes, *on_floor(*self.place).tolist())
@@ -209,6 +219,8 @@ def _draw(places: _Landings, title: str, width: float) -> Figure:
     figure = new_page(*page, title=title, note=places.full_note)
     axes = add_floor(figure, panel, places.court, places.scene)
     cells = places.draw(axes, panel.limits)
+    if cells is None:
+        return figure
     left_of_bar = panel.left + panel.width + _BAR_GAP
     bar = add_axes(figure, left_of_bar, panel.bottom, _BAR, panel.height, "bar")
     figure.colorbar(cells, cax=bar, label=_share(places.height))
@@ -222,6 +234,8 @@ def _draw_on(axes: Axes, places: _Landings, title: str) -> None:
     draw_floor(axes, panel, places.court, places.scene)
     cells = places.draw(axes, panel.limits)
     add_title(axes, title, places.full_note)
+    if cells is None:
+        return
     figure = axes.figure
     assert figure is not None
     ticks = MaxNLocator(steps=[1, 2, 5, 10])
@@ -254,7 +268,7 @@ def _limits(
     front, half = -scene["board_distance"], court.lane / 2.0
     far = (1.0 - _VISIBLE_SHARE) / 2.0
     corners = [
-        *np.quantile(points, [far, 1.0 - far], axis=0),
+        *(np.quantile(points, [far, 1.0 - far], axis=0) if len(points) else ()),
         (front - court.baseline, -max(radius, half)),
         (front + court.free_throw, max(radius, half)),
         *([] if place is None else [place]),

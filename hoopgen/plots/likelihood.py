@@ -8,10 +8,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from hoopgen.core.argument_types import check_arguments
+from hoopgen.text.escape import printable
 from hoopgen.text.numbers import format_percent
 
-from .figure import Picture, draw_picture
-from .style import COLOURS, COLUMN, INK, PAGE
+from .figure import Picture, add_title, draw_picture
+from .style import COLOURS, COLUMN, INK, NOTE_SIZE, PAGE, wrap
 
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
@@ -54,7 +55,11 @@ def plot_likelihood(found: CalibratedScene, *, title: str = "", ax: Drawn | None
 def _only(found: CalibratedScene, title: str, axes: Axes) -> None:
     (name,) = found.values
     _draw(name, found.values[name], found, axes)
-    axes.set_title(title or f"{found.shots:,} shots", loc="left")
+    add_title(axes, title or f"{found.shots:,} shots", _note(found))
+
+
+def _note(found: CalibratedScene) -> str:
+    return f"Scene: {found.scene_words}."
 
 
 def _page(found: CalibratedScene, title: str) -> Figure:
@@ -66,6 +71,8 @@ def _page(found: CalibratedScene, title: str) -> Figure:
         _draw(name, one, found, axes)
         axes.label_outer()
     panels[0].set_title(title or f"{found.shots:,} shots", loc="left")
+    note = wrap(printable(_note(found)), size[0], NOTE_SIZE)
+    figure.supxlabel("\n".join(note), fontsize=NOTE_SIZE)
     return figure
 
 

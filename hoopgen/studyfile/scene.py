@@ -18,6 +18,7 @@ from hoopgen.hoop.court_places import PLACES, find_place
 from hoopgen.hoop.variables import ARGUMENTS, VARIABLES
 from hoopgen.scene.lookup import variables_of
 from hoopgen.simulation.hoop import HOOP
+from hoopgen.study.models.plausible import PLAUSIBLE, check_plausible
 from hoopgen.study.questions import values as kinds
 from hoopgen.study.questions.values import Choice, Listed, Quantity, Success, Text, Value
 
@@ -80,9 +81,24 @@ class PlaceName(Text):
         return name
 
 
+@dataclass(frozen=True, kw_only=True)
+class PlausibleQuantity(Quantity):
+    """The value of a variable of a release at a hoop, within its plausible limits."""
+
+    variable: str
+
+    def read(self, given: Any) -> float:
+        """Return the value in SI."""
+        return check_plausible(self.variable, super().read(given), str(given))
+
+
 def release_value(name: str) -> Value:
     """Return the kind of values of a key of a table `release`."""
-    return PlaceName() if name == "place" else quantity(name)
+    if name == "place":
+        return PlaceName()
+    if not (_SCENE.get().has_hoop and name in PLAUSIBLE):
+        return quantity(name)
+    return PlausibleQuantity(kind_of(name), variable=name)
 
 
 def scattering() -> tuple[str, ...]:

@@ -174,7 +174,16 @@ def test_a_report_is_not_written_over_the_study_in_python_either(folder: Path) -
         ("estimate --solve 100", "'--solve': '100' is no share"),
         ("estimate --solve 0", "'--solve': '0' is no share"),
         ("estimate --precision 70", "'--precision': '70' is no share above 0% and below 100%"),
-        (f"{SHOT} --distance 420m", "distance is in m, and these are more than 100: 420. "),
+        (f"estimate{SHOT[4:]} --by banana", "--by: expected made or missed, got 'banana'"),
+        (f"estimate{SHOT[4:]} --by missed", "--by is of --versus and --solve"),
+        (f"{SHOT} --distance 420m", "'--distance': implausible: expected 0 to 40 m, got '420m'"),
+        (f"{SHOT} --speed 717", "'--speed': implausible: expected 0 to 40 m/s, got '717'"),
+        (f"{SHOT} --height 72ft", "'--height': implausible: expected 0 to 5 m, got '72ft'"),
+        (f"{SHOT} --elevation 520deg", "implausible: expected -90 to 90\N{DEGREE SIGN}, got"),
+        (f"estimate{SHOT[4:]} --height 72ft", "'--height': implausible: expected 0 to 5 m"),
+        (f"estimate{SHOT[4:]} --versus backspin=31Hz", "backspin: implausible: expected -30 to 30"),
+        ("aim --height 7ft --distance 1m:80m:1m", "'--distance': implausible: expected 0 to 40"),
+        ("batch releases.csv --out b.csv --release height=72ft", "height: implausible: expected"),
     ],
 )
 def test_what_is_surely_wrong_is_refused_by_the_name_of_its_option(

@@ -106,7 +106,7 @@ TOO_MUCH: dict[str, tuple[Callable[[], Any], str]] = {
     ),
     "grid": (
         lambda: hoopgen.Grid(
-            {"speed": np.arange(1e6), "backspin": np.arange(1e6) * 1e-5},
+            {"speed": np.arange(1e6) * 1e-5, "backspin": np.arange(1e6) * 1e-5},
             {"height": 2.0, "elevation": 0.9, "distance": 4.0},
         ).draw(0, 10**12),
         "stop: 1e+12 shots drawn at once would take",
@@ -209,8 +209,17 @@ def test_no_interval_is_narrower_than_its_least_shots_allow() -> None:
             "over: 1e+12 cells would take 48 TB",
         ),
         (
-            ["map", "--over", "aim=-1e308:1e308:3", "--elevation", "50deg", *PLACE],
-            "aim: from -1e+308 to 1e+308 is further than numbers go",
+            [
+                "map",
+                "--over",
+                "gravity=-1e308:1e308:3",
+                "--aim",
+                "0",
+                "--elevation",
+                "50deg",
+                *PLACE,
+            ],
+            "gravity: from -1e+308 to 1e+308 is further than numbers go",
         ),
         (["aim", "--distance", "1m:2m:5e-324m", "--height", "7ft"], "2 to 10,000 distances"),
         (["estimate", *SHOT, "--scatter", "speed=0.07", "--precision", "1e-300"], "1.9e+300"),

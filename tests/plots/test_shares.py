@@ -331,14 +331,15 @@ def test_rebounds_at_no_height_are_refused_before_the_work() -> None:
     assert "--catching-height: expected m above the floor, more than 0" in result.stderr
 
 
-def test_landings_without_a_miss_say_so_and_cannot_be_drawn(tmp_path: Path) -> None:
-    sure = ["landings", *WHERE, "--aim", "0", "--elevation", "55deg", "--shots", "5"]
-    result = succeed(*sure)
-    assert "\nland     none of the missed ones reaches the floor\n" in result.stdout
-    result = run(*sure, "--picture", str(tmp_path / "none.svg"))
-    assert result.exit_code == 2
-    assert "none of the missed ones reaches the floor" in result.stdout
-    assert "expected at least one place" in result.stderr
+@pytest.mark.parametrize("caught", [(), ("--catching-height", "2.5m")])
+def test_landings_without_a_miss_say_so_and_are_an_empty_picture(
+    caught: tuple[str, ...], tmp_path: Path
+) -> None:
+    sure = ["landings", *WHERE, "--aim", "0", "--elevation", "55deg", "--shots", "5", *caught]
+    result = succeed(*sure, "--picture", str(tmp_path / "none.svg"))
+    words = "no rebounds" if caught else "land     no shot was missed"
+    assert f"\n{words}\n" in result.stdout
+    assert (tmp_path / "none.svg").stat().st_size > 5_000
 
 
 @pytest.mark.parametrize("own", [False, pytest.param(True, marks=pytest.mark.slow)])
@@ -405,3 +406,125 @@ def test_measured_releases_are_a_fan_too(tmp_path: Path) -> None:
     table.write_text("speed_m_s,elevation_deg\n7.1,52\n7.2,51\n7.15,52.5\n")
     result = succeed("fan", "--from", str(table), *WHERE, "--preset", "nba", "--shots", "30")
     assert "measured: " in result.stdout
+
+
+# A table of 12 releases, from two players: they scatter less than 200 shots of them would say.
+MEASURED = np.random.default_rng(8).normal((7.17, 52.0), (0.12, 1.5), (12, 2))
+
+
+@pytest.fixture
+def measured(tmp_path: Path) -> Path:
+    table = tmp_path / "releases.csv"
+    lines = [f"{'AB'[row % 2]},{v},{angle}" for row, (v, angle) in enumerate(MEASURED.tolist())]
+    table.write_text("\n".join(["player,speed_m_s,elevation_deg", *lines]) + "\n")
+    return table
+
+
+def wilson(made: int, shots: int) -> str:
+    """Return Wilson's interval as it is printed."""
+    z = 1.959963984540054
+    middle, half = (made + z * z / 2) / (shots + z * z), z / (shots + z * z)
+    half *= np.sqrt(made * (shots - made) / shots + z * z / 4)
+    return f"{100 * (middle - half):.1f}% to {100 * (middle + half):.1f}%"
+
+
+@pytest.mark.parametrize("command", ["fan", "landings"])
+def test_samples_of_shots_say_the_intervals_of_their_shares(command: str, tmp_path: Path) -> None:
+    asked = [command, *SHOTS, "--shots", "400"]
+    out = tmp_path / "picture.svg"
+    said, record = run(*asked).stdout, json.loads(run(*asked, "--json").stdout)
+    made, missed = (record["counts"][name] for name in ("made", "missed"))
+    ends = f"made {wilson(made, 400)}, missed {wilson(missed, 400)}"
+    assert f"\ninterval {ends} (Wilson's 95% intervals)\n" in said
+    assert "\nsample" not in said
+    assert "sample" not in record
+    low, high = (f"{100 * record[end]['made']:.1f}%" for end in ("low", "high"))
+    assert wilson(made, 400) == f"{low} to {high}"
+    assert record["shares"]["made"] == made / 400
+    assert record["confidence"] == 0.95
+    assert f"95% intervals: {ends}. Release:" in note_of(*asked, "--picture", str(out))
+
+
+def note_of(*words: str) -> str:
+    """Return what the note of a picture says that a command draws."""
+    with pytest.MonkeyPatch.context() as patch:
+        drawn: list[Any] = []
+        patch.setattr(hoopgen.plots, "save", lambda figure, _: drawn.append(figure))
+        succeed(*words)
+    return " ".join(text.get_text() for text in drawn[0].texts).replace("\N{NO-BREAK SPACE}", " ")
+
+
+@pytest.mark.parametrize("command", ["fan", "landings"])
+@pytest.mark.parametrize("grouped", [(), ("--group", "player")])
+def test_samples_of_measured_releases_say_how_many_there_are(
+    command: str, grouped: tuple[str, ...], measured: Path, tmp_path: Path
+) -> None:
+    """The interval of the sample is that of 12 throws, however many shots are drawn of them."""
+    asked = [command, "--from", str(measured), *WHERE, "--shots", "2000", *grouped]
+    said, record = run(*asked).stdout, json.loads(run(*asked, "--json").stdout)
+    release = hoopgen.release(
+        MEASURED[:, 0], np.radians(MEASURED[:, 1]), height=2.1336, distance=4.191
+    )
+    made = int(hoopgen.simulate(release).made.sum())
+    assert 0 < made < 12
+    sample, words = record["sample"]["made"], "12 measured releases"
+    assert (sample["value"], sample["rows"]) == (made / 12, 12)
+    ends = f"{100 * sample['low']:.1f}% to {100 * sample['high']:.1f}%"
+    if grouped:
+        words = f"{words} in 2 groups"
+        assert sample["groups"] == 2
+    else:
+        assert ends == wilson(made, 12)
+    assert "Wilson's 95% intervals of the simulation alone" in said
+    assert f"\nsample   made {ends}, missed " in said
+    assert f"(95% intervals of the sample, {words})\n" in said
+    note = note_of(*asked, "--picture", str(tmp_path / "picture.svg"))
+    assert f"of the sample, {words}: made {ends}" in note
+
+
+def test_a_fan_of_a_fitted_player_says_the_interval_of_the_sample(measured: Path) -> None:
+    """The interval is that of `estimate` for as many shots."""
+    asked = ["--from", str(measured), *WHERE, "--shots", "500", "--fitted", "--json"]
+    found = json.loads(run("fan", *asked).stdout)["sample"]
+    assert found == {"made": json.loads(run("estimate", *asked).stdout)["sample"]}
+
+
+def test_distances_of_landings_have_intervals(measured: Path) -> None:
+    """Intervals of the shots are by their ranks, those of the sample by the ranks of its misses."""
+    asked = ["landings", *SHOTS, "--shots", "2000"]
+    found = json.loads(run(*asked, "--json").stdout)["landings"]
+    states = hoopgen.Scatter({**RELEASE, "backspin": 0.0}, {"speed": 0.1}).draw(0, 2000).states
+    shots = hoopgen.simulate(states)
+    floor = hoopgen.measure(states, shots, names=["floor_x", "floor_y"])
+    away = np.sort(np.hypot(*floor.values())[shots.outcome == hoopgen.Outcome.MISSED])
+    for share, level in (("0.5", 0.5), ("0.9", 0.9)):
+        half = 1.96 * np.sqrt(level * (1 - level) * len(away))
+        for end, rank in (("low", level * len(away) - half), ("high", level * len(away) + half)):
+            near = away[int(rank) - 3], away[int(rank) + 3]
+            assert near[0] <= found["quantiles"][share][end] <= near[1]
+    said = run(*asked).stdout
+    low, high = (found["quantiles"]["0.5"][end] for end in ("low", "high"))
+    words = f"95% intervals of these distances: 50% within {low:#.4g} to {high:#.4g} m, 90% within"
+    assert words in said
+    asked = ["landings", "--from", str(measured), *WHERE, "--shots", "2000"]
+    found = json.loads(run(*asked, "--json").stdout)["landings"]
+    release = hoopgen.release(
+        MEASURED[:, 0], np.radians(MEASURED[:, 1]), height=2.1336, distance=4.191
+    )
+    shots = hoopgen.simulate(release)
+    floor = hoopgen.measure(release, shots, names=["floor_x", "floor_y"])
+    away = np.hypot(*floor.values())[shots.outcome == hoopgen.Outcome.MISSED]
+    ends = found["sample"]["0.5"].values()
+    assert all(end in ("inf", "-inf") or np.abs(away - end).min() < 1e-12 for end in ends)
+    assert "of the sample: 50% within" in run(*asked).stdout
+
+
+def test_without_a_valid_shot_there_is_no_interval(tmp_path: Path) -> None:
+    """No speed brings a ball that is thrown downwards to the ring."""
+    asked = ["landings", *WHERE, "--aim", "0", "--elevation=-20deg", "--scatter", "elevation=1deg"]
+    asked += ["--shots", "5"]
+    said = run(*asked).stdout
+    assert said.startswith("shots    5: 5 invalid\nland  ")
+    assert "interval" not in said
+    note = note_of(*asked, "--picture", str(tmp_path / "picture.svg"))
+    assert "5 of 5 shots invalid. Release:" in note

@@ -769,11 +769,35 @@ def test_landings_all_in_the_picture_say_nothing_of_others() -> None:
 
 
 @pytest.mark.parametrize(
+    ("x", "options", "start"),
+    [
+        ([], {}, "No shot was missed. Scene: NBA."),
+        ([], {"height": 2.5, "place": (4.191, 0.0)}, "No shot was missed. Scene: NBA."),
+        ([np.nan], {}, "None of 1 miss reaches the floor. Scene: NBA."),
+        (
+            [np.nan, np.nan],
+            {"height": 2.5, "place": (4.191, 0.0)},
+            "None of 2 misses comes down at 2.5 m above the floor. Scene: NBA.",
+        ),
+    ],
+)
+def test_without_landings_the_picture_is_empty_and_says_why(
+    x: list[float], options: dict[str, Any], start: str
+) -> None:
+    figure = plot_landings(x, x, SCENE, **options)
+    assert said(figure) == start
+    (axes,) = figure.axes  # without a bar of colours
+    assert not axes.texts or axes.texts[0].get_text() == "release"
+    given = Figure().add_subplot()
+    plot_landings(x, x, SCENE, ax=given, **options)
+    assert start.split(". ")[0] in given.get_title(loc="left").replace("\n", " ")
+
+
+@pytest.mark.parametrize(
     ("arguments", "options", "message"),
     [
         (([1.0], [1.0]), {"court": "ABA"}, "court: expected NBA or FIBA, got 'ABA'"),
         (([1.0, 2.0], [1.0]), {}, r"x, y: expected \(n,\) both, got \(2,\), \(1,\)"),
-        (([np.nan], [1.0]), {}, "x, y: expected at least one place"),
     ],
 )
 def test_landings_that_cannot_be_drawn_are_refused(

@@ -200,6 +200,17 @@ WRONG: dict[str, tuple[Callable[[], Any], type[Exception], str]] = {
         TypeError,
         "fields: expected 'all' or names, got [array(",
     ),
+    "a speed in centimetres a second": (
+        lambda: hoopgen.release(717.0, 0.9, height=2.1, distance=4.2),
+        ValueError,
+        "release: speed is in m/s, and these are more than 100: 717. Centimetres a second would be "
+        "0.01 times that, or in a table a column speed_cm_s",
+    ),
+    "a player in centimetres a second": (
+        lambda: hoopgen.Scatter(THROW | {"speed": 717.0}, SD),
+        ValueError,
+        "release: speed is in m/s, and these are more than 100: 717. ",
+    ),
     "a release in centimetres": (
         lambda: hoopgen.release(7.2, 0.9, height=200, distance=420),
         ValueError,

@@ -286,6 +286,11 @@ WRONG = {
         5,
         "release.height: expected a length such as \"7 ft\"; '7 kg': 'kg' is not a unit of length",
     ),
+    "implausible": (
+        BEGIN + "[release]\nspeed = 7\nheight = '72 ft'\n" + ASKED,
+        5,
+        "release.height: implausible: expected 0 to 5 m, got '72 ft'",
+    ),
     "angle without unit": (
         BEGIN + "[release]\nentry = '52'\n" + ASKED,
         4,

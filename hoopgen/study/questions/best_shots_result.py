@@ -30,7 +30,8 @@ def describe_best_shots(dataset: xr.Dataset) -> str:
     lines = [
         f"{_player(dataset)} Scene: {dataset.attrs['scene']}. "
         f"Shares are of {dataset.attrs['shots']:,} fresh shots; "
-        f"their {level} intervals are at most ±{half:.1f} points."
+        f"their {level} intervals are at most ±{half:.1f} points. "
+        f"Seed: {dataset.attrs['seed']}."
     ]
     if moved:
         lines.append(

@@ -155,6 +155,8 @@ def coach(
         provenance,
         setting.parameters,
         scene,
+        shots,
+        seed,
     )
 
 

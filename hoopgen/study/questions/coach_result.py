@@ -12,7 +12,9 @@ from hoopgen.core.plotting import plotting_module
 from hoopgen.core.units import DEGREE, FOOT, INCH, UNITS
 from hoopgen.hoop.court_places import Place
 from hoopgen.hoop.variables import VARIABLES
+from hoopgen.report.provenance import describe_scene, footer
 from hoopgen.scene.lookup import SceneLike
+from hoopgen.simulation.lookup import engine_of
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.result import Result
 from hoopgen.text.numbers import MINUS, format_percent, format_points
@@ -28,6 +30,9 @@ PARTS: Mapping[str, str] = {
     "backspin": "spin",
 }
 """Parts of a release that scatter, in words."""
+
+_NAMES = 9
+"""Width of the column of names, in letters."""
 
 _MPH, _RPM = UNITS["speed"]["mph"], UNITS["spin"]["rpm"]
 
@@ -84,6 +89,10 @@ class Coaching(Result):
         Where the player comes from.
     parameters, scene
         The hoop.
+    shots
+        Number of shots before and after each change.
+    seed
+        Of the random numbers.
     """
 
     made: float
@@ -97,6 +106,17 @@ class Coaching(Result):
     provenance: str
     parameters: Mapping[str, Any]
     scene: SceneLike
+    shots: int
+    seed: int
+
+    @property
+    def origin(self) -> dict[str, str]:
+        """The scene, the number of shots and the seed, in words."""
+        return {
+            "scene": describe_scene(engine_of(self.scene), self.parameters),
+            "shots": f"{self.shots:,} before and after each change",
+            "seed": str(self.seed),
+        }
 
     @property
     def advice(self) -> str:
@@ -124,6 +144,10 @@ class Coaching(Result):
             "advice": self.advice,
             "confidence": self.confidence,
             "provenance": self.provenance,
+            "shots": self.shots,
+            "seed": self.seed,
+            "scene": self.origin["scene"],
+            "parameters": dict(self.parameters),
         }
 
     def plot(self, *, ax: Drawn | None = None, title: str = "") -> Drawn:
@@ -179,6 +203,8 @@ class Coaching(Result):
             ),
             "",
             self.provenance,
+            "",
+            footer(_NAMES, self.origin),
         ]
         return "\n".join(lines)
 

@@ -52,7 +52,8 @@ def counterfactual(
         state; and parameters of the scene. By default speed, elevation and azimuth; without a hoop
         vx, vy and vz.
     by
-        End that counts, in a scene of your own; by default the first.
+        End that counts: made or missed; in a scene of your own one of its ends. By default the
+        first.
     steady
         How much further than a change the other result must last, as a share of the change. Close
         to the edges between sequences of contacts there are intervals of made shots with a dozen

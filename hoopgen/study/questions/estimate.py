@@ -112,7 +112,8 @@ def estimate(
         Names of what the probability is differentiated by: ``mean.speed`` and ``sd.speed`` of a
         variable that scatters, of a `Scatter`, by its score; or a parameter of the scene, by a
         difference over the same random numbers, which takes four times the shots for each. Only
-        where there is a hoop. See `hoopgen.study.questions.gradient`.
+        where there is a hoop, and not of measured releases without a fitted scatter. See
+        `hoopgen.study.questions.gradient`.
     confidence
         Of the interval, within 0 and 1.
     seed

@@ -227,7 +227,8 @@ class Estimate(SharesOfShots):
             if count
         ]
         lines += spread_lines(self.measured)
-        lines += slope_lines(self.gradient, self.scene, self.confidence)
+        sampled = self.sample is not None
+        lines += slope_lines(self.gradient, self.scene, self.confidence, sampled=sampled)
         return "\n".join([*lines, "", footer(NAMES, describe_estimate(self))])
 
 

@@ -21,6 +21,7 @@ from hoopgen.scene.lookup import variables_of
 from hoopgen.simulation.engine import Engine
 from hoopgen.study.jobs.differences import CENTRAL, COUNTS, Differences
 from hoopgen.study.jobs.monte_carlo import ResolvedSetting
+from hoopgen.study.models.resample import Resample
 from hoopgen.study.models.scores import SUMS, UNIT, check_scored, split
 from hoopgen.study.statistics.intervals import combined_interval, newcombe_interval
 from hoopgen.text.numbers import format_percent
@@ -60,7 +61,9 @@ class Slope:
         return asdict(self)
 
 
-def slope_lines(slopes: Mapping[str, Slope], scene: Engine, level: float) -> list[str]:
+def slope_lines(
+    slopes: Mapping[str, Slope], scene: Engine, level: float, *, sampled: bool = False
+) -> list[str]:
     """Return the lines that say the derivatives with their intervals, in the units shown.
 
     Parameters
@@ -71,6 +74,8 @@ def slope_lines(slopes: Mapping[str, Slope], scene: Engine, level: float) -> lis
         The scene whose variables they are.
     level
         The confidence of the intervals, from 0 to 1.
+    sampled
+        True if the model is fitted to a sample, whose uncertainty these intervals do not contain.
     """
     if not slopes:
         return []
@@ -82,7 +87,8 @@ def slope_lines(slopes: Mapping[str, Slope], scene: Engine, level: float) -> lis
         bias = f", bias {slope.bias * unit.size:+.1g}" if slope.bias else ""
         ends = f"{values[1]} to {values[2]}"
         rows.append([name, values[0], f"per {per}", ends, f"{slope.method}{bias}"])
-    interval = f"{format_percent(level, None)} interval"
+    alone = " of the simulation alone" if sampled else ""
+    interval = f"{format_percent(level, None)} interval{alone}"
     head = ["gradient", "of made", "", interval, "method"]
     return ["", *table(head, rows, right=[1]).splitlines()]
 
@@ -102,12 +108,19 @@ def check_gradient(names: Sequence[str], setting: ResolvedSetting) -> tuple[str,
     TypeError
         If they are one text, or the model is no Scatter.
     ValueError
-        If a name is unknown, there twice, or does not scatter.
+        If a name is unknown, there twice, or does not scatter; or the model draws from measured
+        releases: the share made of a finite sample changes in jumps.
     """
     found = tuple(names)
     if len(set(found)) < len(found):
         raise ValueError(f"gradient: expected each name once, got {', '.join(found)}")
     check_scored(setting.model, [name for name in found if name not in setting.parameters])
+    if found and isinstance(setting.model, Resample):
+        raise ValueError(
+            f"gradient: the share made of measured releases changes in jumps with {found[0]}, so "
+            "its derivative is none of the player's: fit a scatter to them (Scatter.fit, "
+            "--fitted), or compare two values (hoopgen.compare, --versus)"
+        )
     for name in found:
         if name not in setting.parameters:
             continue

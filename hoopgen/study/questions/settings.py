@@ -165,7 +165,8 @@ catching_height = partial(
 )
 end = partial(
     setting,
-    "End that counts, in a scene of your own; by default the first.",
+    "End that counts: at a hoop made or missed, by default made; in a scene of your own one of its "
+    "ends, by default the first.",
     Text(words="the name of an end", metavar="END"),
     None,
 )

@@ -154,6 +154,7 @@ def calibrate(
         count,
         seen.used,
         level,
+        engine,
     )
 
 

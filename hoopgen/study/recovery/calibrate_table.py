@@ -14,8 +14,10 @@ from hoopgen.core.parameters import ParameterValues
 from hoopgen.hoop.releases import CATCHING_HEIGHT
 from hoopgen.scene.lookup import SceneLike
 from hoopgen.simulation.lookup import engine_of
+from hoopgen.study.statistics.tally import check_scene
 from hoopgen.study.tables.columns import Column, numbers, unit_at_end
 from hoopgen.study.tables.limits import MEMORY
+from hoopgen.study.tables.provenance import origin_of, results_in
 from hoopgen.study.tables.reading import ArrowTable, ReadingOptions, sourced
 from hoopgen.study.tables.source import Source
 from hoopgen.text.numbers import format_count
@@ -68,6 +70,7 @@ def calibrate_table(
     implausible: bool = False,
     delimiter: str | None = None,
     memory: int = MEMORY,
+    override: bool = False,
 ) -> CalibratedTable:
     """Calibrate a scene by a table of measured releases and of how their shots ended.
 
@@ -77,17 +80,23 @@ def calibrate_table(
         A file or a table in memory, as for `hoopgen.batch`. Columns `made` or `outcome` (made,
         missed; true, false; 1, 0), `contacts`, `first` (the body touched first, or none),
         `rebound_x` and `rebound_y` (with a unit at the end, else m) say what was seen; those of
-        ``sd_speed_m_s`` and the like the standard errors, as `hoopgen fit` writes them.
-    vary, parameters, scene, rebound_error, catching_height, draws, seed, confidence
+        ``sd_speed_m_s`` and the like the standard errors, as `hoopgen fit` writes them. What a
+        file of results says are results was simulated, and not seen: these columns are not read.
+    vary, scene, rebound_error, catching_height, draws, seed, confidence
         As for `hoopgen.calibrate`.
+    parameters
+        Of the scene; None for what a file of results says, and else the scene's usual ones.
     errors
         Standard errors by variable, in place of columns.
     made
-        Column that says whether each shot was made, if it is called otherwise.
+        Column that says whether each shot was made, if it is called otherwise; a result, too.
     ignore
         What the table says and is not used: contacts, first, rebound.
     format, own, columns, where, implausible, delimiter, memory
         As for `hoopgen.batch`.
+    override
+        True if `parameters` and `scene` replace those that a file of results says; else they may
+        differ from these in the parameters that vary alone.
 
     Raises
     ------
@@ -105,10 +114,14 @@ def calibrate_table(
         delimiter=delimiter, memory=memory,
     )  # fmt: skip
     with sourced(source, reading) as table:
-        names = table.schema().names
-        found = _outcome_columns(names, made, set(own), ignore)
+        names, results = table.schema().names, results_in(table)
+        found = _outcome_columns(names, made, own, ignore, results)
         reading = replace(reading, own=tuple(dict.fromkeys((*own, *found.values()))))
-        read = reading.interpreted(table, parameters, override=True, scene=engine)
+        if parameters is not None and not override and (origin := origin_of(table, engine)):
+            # Parameters that vary have no value that could contradict the file.
+            varied = {name: value for name, value in origin.parameters.items() if name in vary}
+            parameters = check_scene(parameters, engine) | varied
+        read = reading.interpreted(table, parameters, override=override, scene=engine)
         measured, invalid = read.measured(table)
         variances = read.error_variances(table)
         ends = _outcomes(table, found)
@@ -133,22 +146,37 @@ def calibrate_table(
         confidence=confidence,
     )
     said = [f"outcomes: {', '.join(f'{name} from {cut(col)}' for name, col in found.items())}"]
-    others = {n: one for n, one in read.interpretation.not_read.items() if n not in found.values()}
-    said += [str(replace(read.interpretation, not_read=others)), str(invalid)]
+    columns_read = set(found.values())
+    meaning = replace(
+        read.interpretation,
+        not_read={n: v for n, v in read.interpretation.not_read.items() if n not in columns_read},
+        results=tuple(n for n in results if n not in columns_read),
+    )
+    said += [str(meaning), str(invalid)]
     if (left := int((good & ~known).sum())) > 0:
         said.append(f"left out: {format_count(left, 'row')} without an outcome")
     return CalibratedTable(scene_found, "\n".join(line for line in said if line))
 
 
 def _outcome_columns(
-    names: Sequence[str], made: str | None, own: set[str], ignore: Sequence[str]
+    names: Sequence[str],
+    made: str | None,
+    own: Sequence[str],
+    ignore: Sequence[str],
+    results: Sequence[str],
 ) -> dict[str, str]:
-    """Return the columns of outcomes, by `OUTCOMES`."""
+    """Return the columns of outcomes, by `OUTCOMES`; of `results` only one that is named."""
     if made is not None and made not in names:
         raise ValueError(f"made: no column {cut(made)}; there are {join_names(names)}")
-    plain = {name.strip().lower(): name for name in names if name not in own}
+    plain = {n.strip().lower(): n for n in names if n not in own and n not in results}
     column = made or plain.get("made") or plain.get("outcome")
     if column is None:
+        if "outcome" in results:
+            raise ValueError(
+                "made: the column outcome is a result of a simulation, and no column made or "
+                "outcome says what was seen; name that which does, one of "
+                f"{join_names([n for n in names if n not in results])}; or outcome itself"
+            )
         raise ValueError(
             "made: no column made or outcome; name that which says whether each shot was made, one "
             f"of {join_names(names)}"

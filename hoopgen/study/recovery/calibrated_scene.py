@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.core.plotting import plotting_module
+from hoopgen.engine.compiled_scene import CompiledScene
+from hoopgen.report.provenance import describe_scene
+from hoopgen.simulation.hoop import HOOP
 from hoopgen.study.result import Result
 from hoopgen.text.numbers import format_count, format_percent
 from hoopgen.text.shorten import join_names
@@ -79,6 +82,8 @@ class CalibratedScene(Result):
         What was seen of the shots: "made", and "contacts", "first" and "rebound" where known.
     confidence
         Of the intervals.
+    scene
+        In which the shots were simulated.
     """
 
     values: Mapping[str, Calibrated]
@@ -89,6 +94,14 @@ class CalibratedScene(Result):
     draws: int
     used: tuple[str, ...]
     confidence: float
+    scene: CompiledScene = field(default=HOOP, compare=False)
+
+    @property
+    def scene_words(self) -> str:
+        """The scene in words, with the parameters that are held and not found."""
+        held = {name: one for name, one in self.parameters.items() if name not in self.values}
+        by_row = [name for name in self.scene.table.defaults if name not in self.parameters]
+        return describe_scene(self.scene, held, by_row)
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything, in types that JSON knows."""
@@ -110,6 +123,8 @@ class CalibratedScene(Result):
             "draws": self.draws,
             "used": list(self.used),
             "confidence": self.confidence,
+            "scene": self.scene_words,
+            "parameters": dict(self.parameters),
         }
 
     def plot(self, *, ax: Drawn | None = None, title: str = "") -> Drawn:
@@ -146,4 +161,5 @@ class CalibratedScene(Result):
         ]
         if self.noise > 0.5:
             lines.append("the draws are too few for narrow intervals: give more")
+        lines.append(f"scene {self.scene_words}; {join_names(self.values)} varied")
         return "\n".join(lines)

@@ -162,6 +162,22 @@ def origin_of(table: Source, scene: CompiledScene = HOOP) -> Origin | None:
         ) from None
 
 
+def results_in(table: Source) -> tuple[str, ...]:
+    """Return the columns that a file of results says are results, whichever its scene is.
+
+    Parameters
+    ----------
+    table
+        The table, of which only the schema is read.
+    """
+    schema = table.schema()
+    try:
+        said = json.loads((schema.metadata or {}).get(ABOUT, b"{}")).get("results", ())
+        return tuple(name for name in schema.names if name in said)
+    except (AttributeError, RecursionError, TypeError, ValueError):
+        return ()  # `origin_of` says what is wrong
+
+
 def _check_made_in(table: Source, said: Mapping[str, Any], scene: CompiledScene) -> None:
     made = said.get(_MADE_IN)
     if (made is None and scene is HOOP) or made == scene.identity:

@@ -480,9 +480,10 @@ def test_the_greatest_number_draws_the_last_row(
     """A product that were rounded up to the number of rows would be out of range."""
     extremes = np.array([2.0**-53, 1 - 2.0**-53])
     monkeypatch.setattr("hoopgen.study.models.resample.uniforms", lambda *_: extremes)
-    model = Resample({"speed": np.arange(number), "elevation": 0.9, "height": 2, "distance": 4})
+    speeds = np.arange(number) * 2.0**-17
+    model = Resample({"speed": speeds, "elevation": 0.9, "height": 2, "distance": 4})
     assert model.rows == number
-    assert model.draw(0, 2).columns["speed"].tolist() == [0, number - 1]
+    assert model.draw(0, 2).columns["speed"].tolist() == [0, speeds[-1]]
 
 
 def test_rows_are_drawn_as_if_each_were_a_release() -> None:

@@ -104,6 +104,7 @@ def test_the_same_seed_gives_the_same_and_the_second_search_says_how_far(found: 
     assert known.any()
     assert np.abs(found["probability_change"].values[known]).max() < 0.08
     assert "A second search changes" in describe_best_shots(found)
+    assert f"Seed: {found.attrs['seed']}." in describe_best_shots(found)
 
 
 @pytest.mark.slow

@@ -162,3 +162,50 @@ def test_the_command_reads_measured_releases(tmp_path: Path) -> None:
     assert "straight at the centre" in text
     assert "--from has the player's releases" in failure(*words, "--makes", "70%")
     assert "give --from" in failure("coach", "--where", "player == Ann")
+    assert "give --from" in failure("coach", "--override")
+
+
+@pytest.mark.parametrize("command", ["coach", "best"])
+def test_results_are_coached_in_their_scene(
+    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Options contradict it with --override alone."""
+    file, results, given = tmp_path / "shots.csv", tmp_path / "results.csv", list[float]()
+    released = arguments_of(PLAYER.draw(0, 20, 5, NBA).states)
+    rows = [
+        f"{released['speed'][row]},{np.degrees(released['elevation'][row])},7,13.75"
+        for row in range(20)
+    ]
+    head = "speed_m_s,elevation_deg,height_ft,distance_ft"
+    file.write_text("\n".join([head, *rows]) + "\n", encoding="utf-8")
+    output("batch", file, "--out", results, "--preset", "nba", "--set", "restitution=0.61")
+
+    def stop(*values: object, **options: object) -> None:
+        parameters = options.get("parameters") or values[1]
+        given.append(dict(parameters)["restitution"])  # type: ignore[call-overload]
+        raise ValueError("enough")
+
+    monkeypatch.setattr(hoopgen, {"best": "best_shots"}.get(command, command), stop)
+    for options in ((), ("--preset", "fiba", "--override")):
+        assert "enough" in failure(command, "--from", results, *options)
+    assert given == [0.61, hoopgen.FIBA["restitution"]]
+    said = failure(command, "--from", results, "--preset", "fiba")
+    assert "expected NBA, restitution 0.61, got FIBA" in said
+
+
+def test_advice_names_its_scene_shots_and_seed(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    found = hoopgen.coach(PLAYER, parameters=NBA | {"gravity": 9.8}, shots=1_500, seed=7)
+    record = json.loads(json.dumps(found.as_dict()))
+    assert (record["shots"], record["seed"]) == (1_500, 7)
+    assert record["scene"] == "NBA, gravity 9.8 m/s²"
+    assert record["parameters"]["gravity"] == 9.8
+    said = {"scene": record["scene"], "shots": "1,500 before and after each change", "seed": "7"}
+    assert found.origin == said
+    assert str(found).endswith(
+        "scene    NBA, gravity 9.8 m/s²\nshots    1,500 before and after each change\nseed     7"
+    )
+    sentences = "Scene: NBA, gravity 9.8 m/s². Shots: 1,500 before and after each change. Seed: 7."
+    label = found.plot().axes[0].get_xlabel()
+    assert sentences in label.replace("\n", " ").replace("\N{NO-BREAK SPACE}", " ")
+    assert sentences in found.page(tmp_path / "a.html").read_text("utf-8")

@@ -194,7 +194,8 @@ def test_models_and_parameters_without_a_derivative_are_refused() -> None:
     )
     with pytest.raises(TypeError, match=r"gradient: mean\.speed is a derivative by a Scatter"):
         hoopgen.estimate(measured, shots=100, gradient=["mean.speed"])
-    assert hoopgen.estimate(measured, shots=100, gradient=["restitution"]).gradient
+    with pytest.raises(ValueError, match=r"gradient: .* in jumps with restitution.*Scatter\.fit"):
+        hoopgen.estimate(measured, shots=100, gradient=["restitution"])
     random = hoopgen.Scatter(RELEASE, SD | {"restitution": 0.01})
     with pytest.raises(ValueError, match=r"gradient: restitution .* ask for mean\.restitution"):
         hoopgen.estimate(random, shots=100, gradient=["restitution"])
@@ -233,6 +234,28 @@ def test_the_command_and_the_study_file(tmp_path: Path) -> None:
     succeed("study", str(file), "--out", str(out))
     answer = json.loads((out / "player" / "answer.json").read_text("utf-8"))
     assert answer["numbers"]["gradient"] == record["gradient"]
+
+
+def test_of_measured_releases_it_needs_a_fitted_scatter(tmp_path: Path) -> None:
+    """A sample of 20 has derivatives almost nowhere; intervals of a fit do not contain it."""
+    random = np.random.default_rng(6)
+    rows = [
+        f"{one},{angle},7,13.75" for one, angle in random.normal((7.17, 52), (0.07, 1), (20, 2))
+    ]
+    file = tmp_path / "few.csv"
+    head = "speed_m_s,elevation_deg,height_ft,distance_ft"
+    file.write_text("\n".join([head, *rows]) + "\n", encoding="utf-8")
+    words = ("estimate", "--from", file, "--gradient", "restitution", "--shots", 1000)
+    said = failure(*words)
+    assert "--gradient" in said
+    assert "--fitted" in said
+    assert "--versus" in said
+    text = succeed(*words, "--fitted").stdout
+    assert "95% interval of the simulation alone  method" in text
+    assert (
+        "of the simulation alone  method"
+        not in succeed("estimate", *SHOT, "--gradient", "restitution").stdout
+    )
 
 
 def share_slope(

@@ -227,6 +227,58 @@ def test_the_command_reads_outcomes_and_draws_profiles(tmp_path: Path) -> None:
     assert f"--where: no row of {file} meets it" in none
 
 
+@pytest.fixture(scope="module")
+def results(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """Return results of a batch: of a table that says what was seen, and of one that does not."""
+    pytest.importorskip("pyarrow")
+    folder = tmp_path_factory.mktemp("results")
+    table = written(folder / "shots.csv", ended(trials(40, 20), 12, 0.6))
+    rows = [row.split(",") for row in table.read_text(encoding="utf-8").splitlines()]
+    made, first = (rows[0].index(name) for name in ("made", "first"))
+    seen, unseen = folder / "seen.csv", folder / "unseen.csv"
+    found = folder / "seen-results.csv", folder / "results.csv"
+    for file, out in zip((seen, unseen), found, strict=True):
+        kept = [row[:first] + row[first + 1 :] if file is seen else row[:made] for row in rows]
+        file.write_text("".join(f"{','.join(row)}\n" for row in kept), encoding="utf-8")
+        output("batch", file, "--out", out, "--preset", "fiba", "--set", "restitution=0.9")
+    return found
+
+
+VARIED = ("--vary", "restitution", "--instrument", "speed=3cm/s", "--draws", 2)
+
+
+def test_simulated_results_are_no_observations(results: tuple[Path, Path]) -> None:
+    """Only a result that is named is one, and what the command says it does not read it does not.
+
+    The shots ended with a restitution of 0.6, and were simulated with 0.9.
+    """
+    seen, unseen = results
+    said = failure("calibrate", unseen, *VARIED)
+    assert "--made: the column outcome is a result of a simulation" in said
+    text = output("calibrate", unseen, *VARIED, "--made", "outcome")
+    assert "outcomes: made from outcome\n" in text
+    assert "earlier results, not read: kind, contacts, ring_contacts" in text
+    text = output("calibrate", seen, *VARIED, "--rebound-error", "10cm")
+    first, *_ = (line for line in text.splitlines() if line.startswith("outcomes: "))
+    assert first == (
+        "outcomes: made from made, rebound_x from rebound_x_ft, rebound_y from rebound_y_ft"
+    )
+    assert "earlier results, not read: outcome, kind, contacts, ring_contacts" in text
+
+
+def test_a_calibration_is_in_the_scene_of_the_results(results: tuple[Path, Path]) -> None:
+    """Options contradict it in what varies alone; --override asks for another scene."""
+    words = ("calibrate", results[1], *VARIED, "--made", "outcome")
+    text = output(*words)
+    assert "\nscene FIBA; restitution varied\n" in text
+    assert output(*words, "--preset", "fiba") == text
+    assert output(*words, "--preset", "nba", "--override") != text
+    assert json.loads(output(*words, "--json"))["scene"] == "FIBA"
+    said = failure(*words, "--preset", "nba")
+    assert "expected FIBA, restitution 0.9, got NBA, restitution 0.9" in said
+    assert "--override" in said
+
+
 @pytest.mark.parametrize(
     ("changes", "options", "said"),
     [

@@ -279,6 +279,14 @@ def test_means_leave_implausible_rows_out_unless_asked(tmp_path: Path) -> None:
     assert found["missed"] < kept["missed"]
 
 
+def test_an_implausible_option_beside_a_table_is_refused_unless_asked_for(tmp_path: Path) -> None:
+    pq.write_table(pa.table({"speed": [7.1], "elevation_deg": [52.0]}), tmp_path / "t.pq")
+    command = ("batch", tmp_path / "t.pq", "--out", tmp_path / "o.pq", "--release", "height=72ft")
+    command = (*command, "--release", "distance=4.2m")
+    assert "height: implausible: expected 0 to 5 m, got '72ft'" in failure(*command)
+    assert "0 invalid" in succeed(*command, "--keep-implausible").stdout
+
+
 def test_plausible_limits_hold_everything_that_a_release_takes() -> None:
     assert {"speed", "elevation", "azimuth", "backspin", "sidespin", *PLACE, "angle"} <= {
         *PLAUSIBLE
