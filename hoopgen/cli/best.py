@@ -7,19 +7,21 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import click
+
 import hoopgen
 from hoopgen.core.units import DEGREE, column_name, display_unit
 from hoopgen.report.quantities import for_json
 from hoopgen.study.questions.measured_specification import BestQuestion
-from hoopgen.study.questions.settings import TableSettings
 from hoopgen.text.numbers import format_interval, format_percent, format_points
 from hoopgen.text.tables import table
 
 from .command import command
 from .messages import echo_json, echo_lines, examples, shown
 from .options import json_option, picture_option, preset_options, units_option
-from .player_option import fitted_player, from_table
-from .question_options import question_options, setting_options
+from .place_option import player_place_option
+from .player_option import TableOptions, fitted_player, from_table
+from .question_options import question_options
 from .scene_option import engine_of, parameters_of, scene_option
 
 if TYPE_CHECKING:
@@ -37,7 +39,7 @@ if TYPE_CHECKING:
     )
 )
 @from_table
-@setting_options(TableSettings, only="where")
+@player_place_option("Where all rows of the table were released")
 @scene_option
 @preset_options
 @question_options(BestQuestion)
@@ -46,7 +48,8 @@ if TYPE_CHECKING:
 @json_option
 def best(
     file: Path | None,
-    where: tuple[str, ...],
+    table: TableOptions,
+    place: str | None,
     preset: str,
     settings: Mapping[str, float],
     picture: Path | None,
@@ -61,7 +64,11 @@ def best(
     """
     engine = engine_of()
     parameters = parameters_of(engine, preset, settings)
-    player, read = fitted_player(file, where, parameters, engine)
+    if file is not None and options["makes"] is not None:
+        raise click.UsageError("--from has the player's releases; leave out --makes")
+    if file is None and place is not None:
+        raise click.UsageError("--place: it is of measured releases; give --from")
+    player, read = fitted_player(file, table, place, parameters, engine)
     with shown() as progress:
         found = hoopgen.best_shots(player, parameters, scene=engine, progress=progress, **options)
     if picture is not None:

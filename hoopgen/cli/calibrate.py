@@ -13,11 +13,10 @@ from hoopgen.study.questions.measured_specification import CalibrateQuestion
 
 from .command import command
 from .messages import echo_json, echo_lines, examples
-from .options import json_option, picture_option, preset_options
+from .options import instrument_option, json_option, picture_option, preset_options
 from .path_types import FILE
 from .question_options import question_options
 from .scene_option import engine_of, parameters_of, scene_option
-from .types import DEVIATION, once
 
 _COLUMNS = """\b
 One row is a shot: its release, as for hoopgen batch, and what was seen of its end:
@@ -43,15 +42,7 @@ Only made or outcome is needed; an empty cell is not known.
 @click.argument("file", type=FILE)
 @scene_option
 @preset_options
-@click.option(
-    "--instrument",
-    "errors",
-    type=DEVIATION,
-    multiple=True,
-    callback=once,
-    help="Standard error of the measurement of a variable, speed=3cm/s; by default columns "
-    "sd_speed_m_s ... of the table, as hoopgen fit writes them. May be repeated.",
-)
+@instrument_option()
 @question_options(CalibrateQuestion)
 @picture_option("profiles of the likelihood")
 @json_option
@@ -59,7 +50,7 @@ def calibrate(
     file: Path,
     preset: str,
     settings: Mapping[str, float],
-    errors: Mapping[str, float],
+    instrument: Mapping[str, float],
     picture: Path | None,
     as_json: bool,
     **options: Any,
@@ -75,7 +66,7 @@ def calibrate(
     engine = engine_of()
     parameters = parameters_of(engine, preset, settings)
     found = calibrate_table(
-        file, scene=engine, parameters=parameters, errors=errors or None, **options
+        file, scene=engine, parameters=parameters, errors=instrument or None, **options
     )
     if picture is not None:
         hoopgen.plots.save(found.scene.plot(), picture)

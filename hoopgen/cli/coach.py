@@ -9,17 +9,15 @@ from typing import Any
 import click
 
 import hoopgen
-from hoopgen.hoop.court_places import PLACES
 from hoopgen.study.questions.measured_specification import CoachQuestion
-from hoopgen.study.questions.settings import TableSettings
 
 from .command import command
 from .messages import echo_json, echo_lines, examples
 from .options import json_option, picture_option, preset_options
 from .path_types import OUT
-from .place_option import PlaceName
-from .player_option import fitted_player, from_table
-from .question_options import question_options, setting_options
+from .place_option import player_place_option
+from .player_option import TableOptions, fitted_player, from_table
+from .question_options import question_options
 from .scene_option import engine_of, parameters_of, scene_option
 
 
@@ -31,8 +29,7 @@ from .scene_option import engine_of, parameters_of, scene_option
     )
 )
 @from_table
-@setting_options(TableSettings, only="where")
-@click.option("--place", type=PlaceName(), help=f"From where: {', '.join(PLACES)}.")
+@player_place_option("From where; with --from the place of all rows of the table")
 @scene_option
 @preset_options
 @question_options(CoachQuestion)
@@ -43,7 +40,7 @@ from .scene_option import engine_of, parameters_of, scene_option
 @json_option
 def coach(
     file: Path | None,
-    where: tuple[str, ...],
+    table: TableOptions,
     place: str | None,
     preset: str,
     settings: Mapping[str, float],
@@ -61,9 +58,11 @@ def coach(
 
     engine = engine_of()
     parameters = parameters_of(engine, preset, settings)
-    if file is not None and (options["makes"] is not None or place is not None):
-        raise click.UsageError("--from has the player's releases; leave out --makes, --place")
-    player, read = fitted_player(file, where, parameters, engine)
+    if file is not None and options["makes"] is not None:
+        raise click.UsageError("--from has the player's releases; leave out --makes")
+    player, read = fitted_player(file, table, place, parameters, engine)
+    if file is not None:
+        place = None  # that of the measured releases
     found = hoopgen.coach(player, place=place, parameters=parameters, scene=engine, **options)
     if picture is not None:
         hoopgen.plots.save(found.plot(), picture)

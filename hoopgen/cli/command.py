@@ -12,6 +12,9 @@ import click
 from hoopgen.core.files import same_file
 from hoopgen.study.questions.settings import ASKED, COMPUTED, MEASURED, RELEASE, RESULTS
 
+from .messages import error_text
+from .spelling import options_of, spell_options
+
 Needs = Callable[[Mapping[str, Any]], Sequence[str]]
 """Function from the options as they are typed, by name, to what is missing beside the required
 options, such as ``--speed (or --aim)``."""
@@ -104,14 +107,26 @@ class Command(click.Command):
                     raise click.BadParameter(text, ctx, param)
         try:
             return super().invoke(ctx)
-        except ValueError as error:
-            text = self.in_options(str(error))
-            if text == str(error):
+        except (click.Abort, click.exceptions.Exit, RecursionError):
+            raise
+        except (ImportError, OSError, RuntimeError, ValueError) as error:
+            said = error_text(error)
+            text = self.in_options(said, ctx.command_path)
+            if text == said:
                 raise
             raise click.ClickException(text) from error
 
-    def in_options(self, text: str) -> str:
-        """Return an error of the library with the option in place of the argument that it names."""
+    def in_options(self, text: str, path: str = "hoopgen") -> str:
+        """Return an error of the library with the option in place of the argument that it names.
+
+        Parameters
+        ----------
+        text
+            The error.
+        path
+            The command, as ``hoopgen estimate``.
+        """
+        text = spell_options(text, options_of(self), path)
         match = _ARGUMENT.match(text)
         if match is None:
             return text

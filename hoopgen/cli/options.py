@@ -18,7 +18,7 @@ from .place_option import place_option
 from .question_options import setting_options, together
 from .scene_option import NEEDED, engine_of, parameters_of, scene_option
 from .shot_files import reading_of, simulation_options, with_its_scene
-from .types import ASSIGNMENT, SETTING, once, quantity
+from .types import ASSIGNMENT, DEVIATION, SETTING, once, quantity
 
 Decorator = Callable[[Any], Any]
 
@@ -109,16 +109,20 @@ override_option = click.option(
 reading_options = setting_options(TableSettings, Parsing)
 """Options of how a table is read; `hoopgen.cli.shot_files.reading_of` takes them."""
 
+release_option = click.option(
+    "--release",
+    type=ASSIGNMENT,
+    multiple=True,
+    callback=once,
+    help="A variable that all rows of the table share, in place of a column, height=7ft; may be "
+    "repeated.",
+)
+"""``--release`` of a command that reads a table."""
+
 _TABLE = together(
     click.argument("file", type=FILE, callback=with_its_scene),
     scene_option,
-    click.option(
-        "--release",
-        type=ASSIGNMENT,
-        multiple=True,
-        callback=once,
-        help="A variable that all rows share, in place of a column; may be repeated.",
-    ),
+    release_option,
     place_option,
     preset_options,
     override_option,
@@ -143,6 +147,18 @@ def table_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
     decorated: Callable[..., Any] = _TABLE(collected)
     return decorated
+
+
+def instrument_option(when: str = "") -> Decorator:
+    """Return ``--instrument``, the standard errors of a measurement; `when` ends a clause."""
+    return click.option(
+        "--instrument",
+        type=DEVIATION,
+        multiple=True,
+        callback=once,
+        help=f"Standard error of the measurement of a variable, speed=2cm/s{when}; by default "
+        "columns sd_speed_m_s ... of the table, as hoopgen fit writes them. May be repeated.",
+    )
 
 
 json_option = click.option(

@@ -139,6 +139,12 @@ def _refuse_columns(
             )
 
 
+def option_of(name: str) -> str:
+    """Return an option of this command as it is written, by the name of its parameter."""
+    options = click.get_current_context().command.params
+    return next(option.opts[0] for option in options if option.name == name)
+
+
 def reading_of(options: dict[str, Any]) -> ReadingOptions:
     """Return the reading of a table, from the options of `reading_options`, which are removed."""
     from hoopgen.study.tables.reading import ReadingOptions

@@ -232,7 +232,7 @@ def test_a_measured_speed_that_is_missing_is_not_one_that_was_aimed(
     [
         (["estimate", *RELEASE, "--measure", "deep"], "--measure: unknown deep"),
         (["estimate", *RELEASE, "--scatter", "aim=1cm"], "--scatter: unknown aim"),
-        (["estimate", *RELEASE, "--aim", "5cm"], "aim takes the place of speed; got both"),
+        (["estimate", *RELEASE, "--aim", "5cm"], "--aim takes the place of --speed; got both"),
         (["bank", "--height", "7ft", "--x", "2m"], "--places: expected distance and angle, or"),
         (["aim", *PLACE, "--speed", "3"], "--speed: the point of the ring's plane needs at least"),
         (["aim", *PLACE, "--set", "gravity=0"], "--set gravity: expected above 0"),

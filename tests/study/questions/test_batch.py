@@ -678,7 +678,7 @@ def test_a_table_of_aims_is_one_of_releases(tmp_path: Path) -> None:
 def test_the_command_fails_in_one_line(source: Path, tmp_path: Path) -> None:
     for arguments, said in [
         ([*HERE, "--measure", "deep"], "--measure: unknown deep"),
-        ([], "throws.parquet: variables: missing height, distance"),
+        ([], "throws.parquet: missing height, distance; give --release height=... and "),
         ([*HERE, "--threads", 2, "--scheduler", "tcp://127.0.0.1:1"], "threads: with a scheduler"),
     ]:
         result = run("batch", source, "--out", tmp_path / "out.parquet", *arguments)

@@ -724,7 +724,7 @@ def test_the_folder_is_passed_on(tmp_path: Path) -> None:
         (["--shots", "many"], "'many' is not a whole number from 1"),
         (["--shots", "inf"], "'inf' is not a whole number from 1"),
         (["--precision", "1"], "'1' is no share above 0% and below 100%"),
-        ([*OPTIONS[1:], "--aim", "5cm"], "aim takes the place of speed; got both"),
+        ([*OPTIONS[1:], "--aim", "5cm"], "--aim takes the place of --speed; got both"),
     ],
 )
 def test_what_is_wrong_on_the_command_line_is_said(arguments: list[str], message: str) -> None:
