@@ -12,7 +12,7 @@ import hoopgen
 from hoopgen.study.questions.measured_specification import CoachQuestion
 
 from .command import command
-from .messages import echo_json, echo_lines, examples
+from .messages import echo_json, echo_lines, examples, shown
 from .options import json_option, picture_option, preset_options
 from .path_types import OUT
 from .place_option import player_place_option
@@ -63,7 +63,9 @@ def coach(
     player, read = fitted_player(file, table, place, parameters, engine)
     if file is not None:
         place = None  # that of the measured releases
-    found = hoopgen.coach(player, place=place, parameters=parameters, scene=engine, **options)
+    options |= {"place": place, "parameters": parameters, "scene": engine}
+    with shown() as progress:
+        found = hoopgen.coach(player, progress=progress, **options)
     if picture is not None:
         hoopgen.plots.save(found.plot(), picture)
     if out is not None:
