@@ -17,6 +17,7 @@ from .options import instrument_option, json_option, picture_option, preset_opti
 from .path_types import FILE
 from .question_options import question_options
 from .scene_option import engine_of, parameters_of, scene_option
+from .types import PARAMETER_BOUNDS
 
 _COLUMNS = """\b
 One row is a shot: its release, as for hoopgen batch, and what was seen of its end:
@@ -43,7 +44,7 @@ Only made or outcome is needed; an empty cell is not known.
 @scene_option
 @preset_options
 @instrument_option()
-@question_options(CalibrateQuestion)
+@question_options(CalibrateQuestion, vary={"type": PARAMETER_BOUNDS})
 @picture_option("profiles of the likelihood")
 @json_option
 def calibrate(

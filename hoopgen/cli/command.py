@@ -214,7 +214,12 @@ def note_output(ctx: click.Context | None, param: click.Parameter | None, path: 
 _ARGUMENT = re.compile(r"(?P<argument>[a-z_]+)(?:\[['\"](?P<key>\w+)['\"]\])?: ")
 """Beginning of an error of the library that is of an argument, or of one value in it."""
 
-_ALIASES = {"scatter": ("sd",), "settings": ("parameters",), "file": ("columns",)}
+_ALIASES = {
+    "scatter": ("sd",),
+    "settings": ("parameters",),
+    "file": ("columns",),
+    "instrument": ("errors",),
+}
 """Arguments of the library that an option becomes, by the name of its parameter."""
 
 _WITHOUT_OPTION = ("variables", "release", "model", "aim", "stop")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from hoopgen.core.si_checks import MAX_LENGTH
 from hoopgen.core.units import parse_quantity
 from hoopgen.text.shorten import brief
 
@@ -23,8 +24,8 @@ def _distances(text: str) -> tuple[float, ...]:
         lengths = _range(text, *(parse_quantity(part, "length") for part in parts))
     else:
         raise ValueError(f"{brief(text)} is not FROM:TO:STEP, such as 1m:7m:0.5m")
-    if min(lengths) < 0.0:
-        raise ValueError(f"expected 0 m or more, got {min(lengths):.6g} m")
+    if not 0.0 <= min(lengths) <= max(lengths) <= MAX_LENGTH:
+        raise ValueError(f"expected distances from 0m to {MAX_LENGTH:g}m; got {brief(text)}")
     return lengths
 
 

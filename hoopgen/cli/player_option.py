@@ -18,7 +18,7 @@ from .options import instrument_option, reading_options, release_option
 from .path_types import FILE
 from .question_options import together
 from .scene_option import given
-from .shot_files import READING, option_of, reading_of
+from .shot_files import READING, names_table, option_of, reading_of
 
 if TYPE_CHECKING:
     from hoopgen.study.tables.reading import ReadingOptions
@@ -127,5 +127,6 @@ def fitted_player(
         for name, one in {**table.error_variances(source), **options.errors}.items()
         if np.ndim(columns.get(name, 0.0))
     }
-    fitted = Scatter.fit(columns, measurement_covariance=errors)
+    with names_table("--from", file):
+        fitted = Scatter.fit(columns, measurement_covariance=errors)
     return fitted, f"{fitted}\n\n{table.interpretation}\n{invalid}"

@@ -30,7 +30,14 @@ from .path_types import FILE
 from .place_option import PLACE, place_option
 from .question_options import setting_options, together
 from .scene_option import engine_of, given, own_needs, own_options, state_given, state_is_given
-from .shot_files import READING, option_of, reading_of, simulation_options, with_its_scene
+from .shot_files import (
+    READING,
+    names_table,
+    option_of,
+    reading_of,
+    simulation_options,
+    with_its_scene,
+)
 from .types import CORRELATION, DEVIATION, once
 
 if TYPE_CHECKING:
@@ -93,6 +100,7 @@ class Releasing:
     group: Sequence[str | None] | None = None  # label of each row, --group
     fitted: bool = False  # a scatter is fitted to the columns, --fitted
     errors: Mapping[str, Any] = field(default_factory=dict)  # of the measurement: variances
+    file: Path | None = None  # the table of the columns
 
     def fit(self) -> FittedScatter[Scatter] | FittedScatters[Scatter]:
         """Return the scatter fitted to the measured releases; with labels, of each player."""
@@ -102,7 +110,8 @@ class Releasing:
         errors: dict[str | tuple[str, str], Any] = {
             name: one for name, one in self.errors.items() if np.ndim(columns.get(name, 0.0))
         }
-        return Scatter.fit(columns, self.group, errors)
+        with names_table("--fitted", self.file):
+            return Scatter.fit(columns, self.group, errors)
 
     def model(
         self, changes: Mapping[str, float] = MappingProxyType({}), over: Iterable[str] = ()
@@ -220,7 +229,7 @@ class Releasing:
         scene, values = table.origin.parameters, table.origin.release
         errors = {n: v for n, v in table.error_variances(source).items() if n not in self.errors}
         model = replace(self, values=values, parameters=scene, measured=measured, group=labels)
-        return replace(model, errors={**errors, **self.errors}), table, invalid
+        return replace(model, file=file, errors={**errors, **self.errors}), table, invalid
 
 
 _FROM = together(

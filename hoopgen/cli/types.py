@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
@@ -12,7 +13,8 @@ from click.shell_completion import CompletionItem
 from numpy.typing import NDArray
 
 from hoopgen.core.memory import even_values
-from hoopgen.core.units import Kind, parse_quantity
+from hoopgen.core.si_checks import MAX_DEVIATION, MAX_LENGTH, MAX_SPIN
+from hoopgen.core.units import DEGREE, Kind, parse_quantity
 from hoopgen.core.variables import STATE, Variable
 from hoopgen.hoop.releases import FROM_ZERO
 from hoopgen.hoop.variables import ALTERNATIVE_VARIABLES, ARGUMENTS, VARIABLES
@@ -91,7 +93,9 @@ def number_cell(name: str, value: float) -> str:
     return "-" if np.isnan(value) else format_variable(name, value, unit=False)
 
 
-def quantity(kind: Kind, name: str = "") -> Parsed[float]:
+def quantity(
+    kind: Kind, name: str = "", low: float = -math.inf, high: float = math.inf
+) -> Parsed[float]:
     """Return the type of a number with a unit, given to the command in SI.
 
     Parameters
@@ -99,15 +103,40 @@ def quantity(kind: Kind, name: str = "") -> Parsed[float]:
     kind
         What is measured; see `hoopgen.core.units.UNITS`.
     name
-        Of the variable; one in `FROM_ZERO` is not negative.
+        Of the variable; one in `FROM_ZERO` is not negative, and one of a release is within the
+        limits of its kind.
+    low, high
+        The least and the largest value, SI.
     """
-    value = Quantity(kind)
-    return Parsed(lambda text: _from_zero(name, value.parse(text), text), value.metavar)
+    value = Quantity(kind, low, high)
+    of_release = name in ARGUMENTS or name in ALTERNATIVE_VARIABLES
+
+    def read(text: str) -> float:
+        number = _from_zero(name, value.parse(text), text)
+        return _within_limits(kind, number, text) if of_release else number
+
+    return Parsed(read, value.metavar)
 
 
 def _from_zero(name: str, value: float, text: str) -> float:
     if name in FROM_ZERO and value < 0.0:
         raise ValueError(f"expected 0 {FROM_ZERO[name]} or more, got {brief(text)}")
+    return value
+
+
+_LIMITS: Mapping[Kind, tuple[float, str]] = {
+    "angle": (360 * DEGREE, "an angle from -360deg to 360deg"),
+    "spin": (MAX_SPIN, f"a spin from -{MAX_SPIN:g}rad/s to {MAX_SPIN:g}rad/s, 15.9Hz or 955rpm"),
+    "length": (MAX_LENGTH, f"a length from -{MAX_LENGTH:g}m to {MAX_LENGTH:g}m"),
+}
+"""The largest sizes of quantities of a release, SI, as of `hoopgen.core.si_checks`."""
+
+
+def _within_limits(kind: Kind, value: float, text: str) -> float:
+    """Return a value of a variable of a release, if it is within the limits of its kind."""
+    most, words = _LIMITS.get(kind, (np.inf, ""))
+    if abs(value) > most:
+        raise ValueError(f"expected {words}; got {brief(text)}")
     return value
 
 
@@ -166,9 +195,16 @@ class OfScene(Parsed[Value]):
 def _read(text: str, variable: Variable) -> float:
     try:
         value = parse_quantity(text, variable.kind, infinite=variable.infinite)
-        return _from_zero(variable.name, value, text)
+        value = _from_zero(variable.name, value, text)
+        return _within_limits(variable.kind, value, text) if _of_release(variable) else value
     except ValueError as error:
         raise ValueError(f"{variable.name}: {error}") from None
+
+
+def _of_release(variable: Variable) -> bool:
+    """Return whether a variable is one of a release at a hoop, and no component of a state."""
+    name = variable.name
+    return variable in (ARGUMENTS.get(name), ALTERNATIVE_VARIABLES.get(name))
 
 
 def _known(name: str, allowed: Variables) -> Variable:
@@ -197,6 +233,11 @@ def _deviation(text: str, allowed: Variables) -> tuple[str, float]:
         raise ValueError(
             f"{variable.name}: expected a standard deviation from 0, got {brief(value)}"
         )
+    if variable.kind == "angle" and _of_release(variable) and deviation >= MAX_DEVIATION:
+        raise ValueError(
+            f"{variable.name}: expected a standard deviation below "
+            f"{MAX_DEVIATION / DEGREE:.1f}deg, got {brief(value)}"
+        )
     return variable.name, deviation
 
 
@@ -221,7 +262,10 @@ def _bounds(text: str, among: Variables) -> tuple[str, tuple[float, float] | Non
     ends = values.split(":")
     if len(ends) != 2:
         raise ValueError(f"{variable.name}: {brief(values)} is not low:high")
-    return variable.name, (_read(ends[0], variable), _read(ends[1], variable))
+    low, high = (_read(end, variable) for end in ends)
+    if not low < high:
+        raise ValueError(f"{variable.name}: expected low:high, low below high; got {brief(values)}")
+    return variable.name, (low, high)
 
 
 def _correlation(text: str) -> tuple[tuple[str, str], float]:
@@ -308,6 +352,11 @@ AXIS = OfScene(_axis, "NAME=FROM:TO:COUNT")
 
 BOUNDS = OfScene(_bounds, "NAME=LOW:HIGH")
 """A variable and where to search, ``elevation=45deg:60deg``; or its name alone."""
+
+PARAMETER_BOUNDS = OfScene(
+    lambda text, among: _bounds(text, _parameters(among)), "NAME=LOW:HIGH", _parameters
+)
+"""A parameter of the scene and its bounds, ``ring_friction=0.1:1.0``; or its name alone."""
 
 CORRELATION = Parsed(_correlation, "NAME,NAME=VALUE")
 """Two variables and their correlation, ``speed,elevation=-0.3``."""

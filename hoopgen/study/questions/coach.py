@@ -23,6 +23,7 @@ from hoopgen.core.units import DEGREE, INCH, UNITS
 from hoopgen.hoop.aiming import flown_distance
 from hoopgen.hoop.court_places import find_place
 from hoopgen.scene.lookup import SceneLike, check_hoop
+from hoopgen.simulation.lookup import engine_of
 from hoopgen.study.jobs.chunks import Progress
 from hoopgen.study.jobs.monte_carlo import ResolvedSetting, setting_of
 from hoopgen.study.models.fitted_scatter import FittedScatter
@@ -96,8 +97,8 @@ def coach(
         raise ValueError("place: it is of the default player; measured releases have their own")
     if isinstance(player, FittedScatter) and makes is not None:
         raise ValueError("makes: it is of a player who was not measured; leave one out")
+    check_hoop("scene", engine_of(scene))
     setting = setting_of(Scatter({}), parameters, scene)
-    check_hoop("scene", setting.scene)
     where, provenance = None, "The player is as measured."
     fitted = player if isinstance(player, FittedScatter) else None
     given = player.model if isinstance(player, FittedScatter) else player
