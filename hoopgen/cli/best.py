@@ -31,12 +31,13 @@ if TYPE_CHECKING:
 
 
 @command(
+    short_help="Say which shot a player makes most often from each place.",
     epilog=examples(
         "hoopgen best --makes 70% --preset nba --picture best.svg",
         "hoopgen best --makes 80% --preset fiba --step 1m --units us",
         "hoopgen best --scene court --preset nba --step 3m --shots 2000",
         "hoopgen best --from my_shots.csv --where 'player == Ann' --preset nba --json",
-    )
+    ),
 )
 @from_table
 @player_place_option("Where all rows of the table were released")

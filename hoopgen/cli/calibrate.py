@@ -32,13 +32,14 @@ Only made or outcome is needed; an empty cell is not known.
 
 
 @command(
+    short_help="Find restitution and friction from how shots ended.",
     epilog=_COLUMNS
     + examples(
         "hoopgen calibrate shots.csv --vary restitution --preset nba",
         "hoopgen calibrate shots.csv --vary ring_restitution --vary ring_friction=0.1:1.0 \\",
         "    --scene court --preset nba \\",
         "    --instrument speed=3cm/s --instrument elevation=0.5deg",
-    )
+    ),
 )
 @click.argument("file", type=FILE)
 @scene_option

@@ -42,6 +42,7 @@ def _needs(typed: Mapping[str, Any]) -> list[str]:
 
 
 @command(
+    short_help="Prove what a shot does, in ball arithmetic.",
     needs=_needs,
     epilog=UNITS_IN_WORDS
     + examples(

@@ -22,11 +22,12 @@ from .scene_option import engine_of, parameters_of, scene_option
 
 
 @command(
+    short_help="Find what a player should practise most.",
     epilog=examples(
         "hoopgen coach --makes 70% --place 'free throw'",
         "hoopgen coach --makes 35% --place 'corner three' --picture advice.svg",
         "hoopgen coach --from my_shots.csv --where 'player == Ann' --out ann.html",
-    )
+    ),
 )
 @from_table
 @player_place_option("From where; with --from the place of all rows of the table")

@@ -44,6 +44,7 @@ _CONFIDENCE = 0.95
 
 
 @command(
+    short_help="Draw the paths of a player's shots from the side.",
     needs=release_needs,
     epilog=UNITS_IN_WORDS
     + examples(
@@ -85,6 +86,7 @@ def fan(
 
 
 @command(
+    short_help="Find where a player's missed shots come down.",
     needs=release_needs,
     epilog=UNITS_IN_WORDS
     + examples(

@@ -58,6 +58,7 @@ def spell_options(text: str, options: Mapping[str, str], command: str) -> str:
     for option, pattern, words in _PYTHON:
         if not option or option in options:
             text = re.sub(pattern, words, text)
+    text = text.replace("hoopgen.plots needs", "a picture needs")
     text = re.sub(r"^hoopgen\.\w+ needs", f"{command} needs", text)
     match = _VARIABLES.match(text)
     if match is None or options.keys().isdisjoint((*_NAMES, "release")):

@@ -685,7 +685,9 @@ def test_from_draws_measured_releases_and_options_fill_in(tmp_path: Path) -> Non
     found = json.loads(output(*arguments, "--shots", "900", "--json"))
     wanted = estimate(model, shots=900).as_dict()
     assert {**found, "setting": None} == {**wanted, "setting": None}
-    assert "missing distance; give --distance (or --place). The columns are player" in failure(*arguments[:-2])
+    assert "missing distance; give --distance (or --place). The columns are player" in failure(
+        *arguments[:-2]
+    )
     assert "--scatter is about a release" in failure(*arguments, "--scatter", "speed=1")
 
 
