@@ -13,7 +13,7 @@ from hoopgen.study.questions.measured_specification import CalibrateQuestion
 
 from .command import command
 from .messages import echo_json, echo_lines, examples
-from .options import instrument_option, json_option, picture_option, preset_options
+from .options import instrument_option, json_option, picture_option, preset_options, units_option
 from .path_types import FILE
 from .question_options import question_options
 from .scene_option import engine_of, parameters_of, scene_option
@@ -47,6 +47,7 @@ Only made or outcome is needed; an empty cell is not known.
 @instrument_option()
 @question_options(CalibrateQuestion, vary={"type": PARAMETER_BOUNDS})
 @picture_option("profiles of the likelihood")
+@units_option
 @json_option
 def calibrate(
     file: Path,

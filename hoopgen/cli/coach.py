@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import click
 
 import hoopgen
+from hoopgen.core.units import display_system
 from hoopgen.study.questions.measured_specification import CoachQuestion
 
 from .command import command
 from .messages import echo_json, echo_lines, examples, shown
-from .options import json_option, picture_option, preset_options
+from .options import json_option, picture_option, preset_options, units_option_of
 from .path_types import OUT
 from .place_option import player_place_option
 from .player_option import TableOptions, fitted_player, from_table
@@ -38,6 +40,7 @@ from .scene_option import engine_of, parameters_of, scene_option
     "--out", type=OUT, help="A page for players, .html: the advice, pictures, before and after."
 )
 @picture_option("gains")
+@units_option_of("us")
 @json_option
 def coach(
     file: Path | None,
@@ -50,10 +53,11 @@ def coach(
     as_json: bool,
     **options: Any,
 ) -> None:
-    """Find the part of a release that is worth practising most, in feet, mph and rpm.
+    """Find the part of a release that is worth practising most.
 
     Each part of the player's spread (speed, arc, left-right, spin) is halved alone, and each habit
-    is changed a little. The answer is how many more shots go in, with confidence intervals.
+    is changed a little. The answer is how many more shots go in, with confidence intervals. It is
+    in feet, mph and rpm, or with --units si in metres, m/s and Hz.
     """
     from hoopgen.study.named_units import in_units
 
@@ -67,6 +71,7 @@ def coach(
     options |= {"place": place, "parameters": parameters, "scene": engine}
     with shown() as progress:
         found = hoopgen.coach(player, progress=progress, **options)
+    found = replace(found, units=display_system())
     if picture is not None:
         hoopgen.plots.save(found.plot(), picture)
     if out is not None:

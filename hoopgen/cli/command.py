@@ -42,6 +42,9 @@ GROUPS: Mapping[str, tuple[str, ...]] = {
 
 _OTHERS = "Options"
 
+_TABLE = "The table"
+"""Heading of the options of measured releases where a command has no scatter."""
+
 _HEADING = {name: heading for heading, names in GROUPS.items() for name in names}
 
 
@@ -139,6 +142,11 @@ class Command(click.Command):
             return f"{' '.join(filter(None, (_name(option), key)))}: {rest}"
         return rest if argument in _WITHOUT_OPTION else text
 
+    def _title(self, heading: str) -> str:
+        """Return a heading as it is of this command: not each has a scatter."""
+        names = {one.name for one in self.params}
+        return heading if heading != MEASURED or "scatter" in names else _TABLE
+
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the options, many of them in groups with headings.
 
@@ -156,7 +164,7 @@ class Command(click.Command):
             return
         for heading, rows in records.items():
             if rows:
-                with formatter.section(heading):
+                with formatter.section(self._title(heading)):
                     formatter.write_dl(rows)
 
 

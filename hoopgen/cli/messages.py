@@ -116,5 +116,6 @@ def shown() -> Iterator[Callable[[int, int | None], None]]:
             yield _Shown(bar)
     except KeyboardInterrupt as error:
         for note in getattr(error, "__notes__", ()):
-            click.echo(f"hoopgen: {printable(note)}", err=True)
+            text = note.replace("the same call goes on", "the same command goes on")
+            click.echo(f"hoopgen: {printable(text)}", err=True)
         raise

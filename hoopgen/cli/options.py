@@ -170,16 +170,22 @@ def _use_units(ctx: click.Context, _: click.Parameter, system: System) -> None:
     ctx.with_resource(use_units(system))
 
 
-units_option = click.option(
-    "--units",
-    type=click.Choice(["si", "us"], case_sensitive=False),
-    default="si",
-    show_default=True,
-    expose_value=False,
-    callback=_use_units,
-    help="Units of text and pictures, not of files: metres, m/s, kg; or feet, inches, mph, ounces.",
-)
-"""``--units``; it holds for as long as the command runs."""
+def units_option_of(system: System) -> Decorator:
+    """Return ``--units`` with a default; it holds for as long as the command runs."""
+    return click.option(
+        "--units",
+        type=click.Choice(["si", "us"], case_sensitive=False),
+        default=system,
+        show_default=True,
+        expose_value=False,
+        callback=_use_units,
+        help="Units of text and pictures, not of files: metres, m/s, kg; or feet, inches, mph, "
+        "ounces.",
+    )
+
+
+units_option = units_option_of("si")
+"""``--units``, SI by default."""
 
 
 def picture_option(what: str) -> Decorator:

@@ -25,7 +25,7 @@ from .scene_option import SceneName, limit_option
     short_help="Compile a scene file for this processor.",
     epilog=examples("hoopgen compile netball.toml", "hoopgen compile hoop --zip hoop-c.zip"),
 )
-@click.argument("scene", type=SceneName())
+@click.argument("scene", type=SceneName(), metavar="SCENE")
 @click.option(
     "--zip",
     "package",
@@ -104,12 +104,26 @@ def cache(show: bool, clear: bool) -> None:
         click.echo(f"removed {count} scene{'s' * (count != 1)} from {there.folder}")
 
 
+class _Scenes(click.Argument):
+    """The argument of several scenes, whose errors name it without brackets."""
+
+    def get_error_hint(self, ctx: click.Context | None) -> str:
+        """Return the name.
+
+        Parameters
+        ----------
+        ctx
+            The context of the command.
+        """
+        return "'SCENES'"
+
+
 @command(
     "hash",
     short_help="Print the SHA-256 of the results of fixed shots.",
     epilog=examples("hoopgen hash", "hoopgen hash examples/scenes/golf.toml --backend numpy"),
 )
-@click.argument("scenes", nargs=-1, type=SceneName())
+@click.argument("scenes", cls=_Scenes, nargs=-1, type=SceneName(), metavar="[SCENES]...")
 @limit_option
 @setting_options(Engines)
 @json_option

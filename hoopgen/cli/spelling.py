@@ -21,6 +21,7 @@ _PYTHON: Sequence[tuple[str, str, str]] = (
     ("", r"\(\w+=\w*, (--[\w-]+)\)", r"(\1)"),
     ("", r" \([^()]*\brad\)", ""),
     ("columns", r"(--column \S+), columns=\{[^{}]*\}", r"\1"),
+    ("", r"\bthe same call goes on\b", "the same command goes on"),
     ("scatter", r"\bsd, --scatter", "--scatter"),
     ("instrument", r"speed=0\.03, in m/s", "speed=3cm/s"),
     ("vary", r"give \{name: \(low, high\)\}", "give NAME=LOW:HIGH"),

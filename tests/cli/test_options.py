@@ -21,6 +21,7 @@ from hoopgen.cli import _COMMANDS, main
 from hoopgen.cli.command import GROUPS, MAX_UNGROUPED
 from hoopgen.hoop.variables import VARIABLES
 from hoopgen.study.measures.measures import MEASURES
+from hoopgen.study.questions.settings import MEASURED
 
 SCENES = ROOT / "examples" / "scenes"
 PLACE = ["--height", "7ft", "--distance", "13.75ft"]
@@ -78,7 +79,8 @@ def test_a_long_help_has_its_options_in_groups(name: str) -> None:
     command = main.commands[name]
     text = run(name, "--help").output
     shown = [p for p in command.params if isinstance(p, click.Option) and not p.hidden]
-    headings = [heading for heading in GROUPS if f"\n{heading}:\n" in text]
+    titles = [heading for one in GROUPS for heading in (one, *["The table"] * (one == MEASURED))]
+    headings = [title for title in titles if f"\n{title}:\n" in text]
     if len(shown) + 1 <= MAX_UNGROUPED:
         assert not headings
         assert "\nOptions:\n" in text

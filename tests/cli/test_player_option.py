@@ -37,7 +37,7 @@ def test_a_table_is_read_as_its_options_say(table: Path) -> None:
     assert f"{ROWS} releases" in text
     assert "Release Speed as speed" in text
     assert "not read: angle" in text
-    assert "height 2.1336 m, distance" in text
+    assert "height 7 ft, distance" in text
     place = find_place("left elbow").variables
     units = {"distance": "m", "angle": "rad"}
     both = [f"--release={name}={value!r}{units[name]}" for name, value in place.items()]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from importlib import import_module
 
 import numpy as np
 from numpy.typing import NDArray
@@ -187,7 +186,7 @@ def _nearest(one: OneShot, name: str, succeeds: bool, steady: float) -> tuple[fl
 def _require_judge() -> None:
     """Raise an error before any work if what the judge needs is missing."""
     try:
-        import_module("hoopgen.judge")
+        import hoopgen.judge  # noqa: F401
     except ImportError as error:
         raise MissingExtra(
             "counterfactual proves its answers, which needs the extra certify: "

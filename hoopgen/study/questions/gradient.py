@@ -82,7 +82,7 @@ def slope_lines(slopes: Mapping[str, Slope], scene: Engine, level: float) -> lis
         ends = f"{values[1]} to {values[2]}"
         rows.append([name, values[0], f"per {per}", ends, f"{slope.method}{bias}"])
     interval = f"{format_percent(level, None)} interval"
-    head = ["gradient", "of made", "", interval, "method"]
+    head = ["gradient by", "share made", "", interval, "method"]
     return ["", *table(head, rows, right=[1]).splitlines()]
 
 

@@ -726,7 +726,7 @@ def test_an_interrupted_command_says_how_to_go_on(
     monkeypatch.setattr(study_batch, "run", interrupted)
     result = run("batch", source, "--out", tmp_path / "out.parquet", *HERE)
     assert result.exit_code == 130
-    assert f"{tmp_path / 'out.parquet'}.parts: the same call goes on" in result.stderr
+    assert f"{tmp_path / 'out.parquet'}.parts: the same command goes on" in result.stderr
     assert result.stderr.endswith("hoopgen: error: interrupted\n")
 
 
