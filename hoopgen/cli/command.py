@@ -113,6 +113,8 @@ class Command(click.Command):
         except (click.Abort, click.exceptions.Exit, RecursionError):
             raise
         except (ImportError, OSError, RuntimeError, ValueError) as error:
+            if isinstance(error, OSError) and error.filename is not None:
+                raise  # it begins with a file, which may be called like an argument
             said = error_text(error)
             text = self.in_options(said, ctx.command_path)
             if text == said:

@@ -34,7 +34,11 @@ _PYTHON: Sequence[tuple[str, str, str]] = (
 )
 """Texts for users of Python, and those in their place where a command has that option."""
 
-_NO_OVERRIDE = r", or override what the file says \(.*?--override\)"
+_LACKED: Sequence[tuple[str, str]] = (
+    ("override", r", or override what the file says \(.*?--override\)"),
+    ("own", r" \(--own [^()]*\)"),
+)
+"""Recommendations that are left out where a command has no such option."""
 
 
 def spell_options(text: str, options: Mapping[str, str], command: str) -> str:
@@ -54,8 +58,9 @@ def spell_options(text: str, options: Mapping[str, str], command: str) -> str:
     str
         The error, which names no argument of Python where the command has an option.
     """
-    if "override" not in options:
-        text = re.sub(_NO_OVERRIDE, "", text)
+    for option, pattern in _LACKED:
+        if option not in options:
+            text = re.sub(pattern, "", text)
     for option, pattern, words in _PYTHON:
         if not option or option in options:
             text = re.sub(pattern, words, text)

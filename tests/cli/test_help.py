@@ -13,7 +13,7 @@ pytest.importorskip("scipy")
 
 from hoopgen.cli import _COMMANDS, main
 from hoopgen.cli.types import Parsed
-from tests.helpers.commands import failure, output
+from tests.helpers.commands import RELEASE, failure, output
 
 PLACE = ["--height", "7ft", "--distance", "13.75ft", "--backspin", "3Hz"]
 SCATTER = ["--scatter", "speed=0.07", "--scatter", "elevation=1.3deg"]
@@ -104,3 +104,12 @@ def test_calibrate_has_units(tmp_path: Path) -> None:
     words += ["--instrument", "speed=3cm/s"]
     assert "board_distance (m)" in output(*words)
     assert "board_distance (in)" in output(*words, "--units", "us")
+
+
+def test_certify_has_units() -> None:
+    pytest.importorskip("flint")
+    words = ["certify", *RELEASE, "--set", "board_distance=0.4m", "--units"]
+    si, us = (output(*words, system).splitlines() for system in ("si", "us"))
+    assert si[:-1] == us[:-1]
+    assert "0.4 m" in si[-1]
+    assert "15.7" in us[-1]

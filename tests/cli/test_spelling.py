@@ -14,6 +14,7 @@ from tests.helpers.commands import failure
 pytest.importorskip("pyarrow")
 pytest.importorskip("scipy")
 
+import hoopgen
 from hoopgen.cli.spelling import spell_options
 
 GOLF = ROOT / "examples" / "scenes" / "golf.toml"
@@ -148,6 +149,19 @@ def test_only_options_that_a_command_has_are_recommended() -> None:
     text = "columns a and b both say x; keep one, or list the other in own"
     assert spell_options(text, options, "") == text.replace("in own", "with --own")
     assert spell_options(text, {}, "") == text
+    text = "if it is a column of your own, list it in own (--own 'my x')"
+    assert spell_options(text, options, "").endswith("of your own, give --own 'my x'")
+    assert spell_options(text, {}, "").endswith("of your own, list it in own")
     missing = "f.csv: variables: missing height, distance. The columns are height_cm"
     assert spell_options(missing, {"height": "--height"}, "") == missing.replace("variables: ", "")
     assert spell_options(missing, {}, "") == missing
+
+
+def test_a_file_that_is_called_like_an_argument_is_no_option(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def unreadable(**_: object) -> None:
+        raise OSError(13, "Permission denied", "preset")
+
+    monkeypatch.setattr(hoopgen, "release", unreadable)
+    assert failure(*shlex.split(f"shot {SHOT}")) == "hoopgen: error: preset: Permission denied\n"
