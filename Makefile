@@ -33,7 +33,7 @@ test-slow: $(VENV)/with-dev ## what make test leaves out: slow tests, and random
 test-all: $(VENV)/with-dev ## every test once, at full effort
 	$(BIN)/python -m pytest -n auto --dist loadgroup $(ARGS)
 
-generate: $(VENV)/with-generate ## write generated/ from derive/ and templates/
+generate: $(VENV)/with-compile ## write generated/ from derive/ and templates/
 	$(BIN)/hoopgen generate $(ARGS)
 
 check: $(VENV)/with-generate ## fail if generated/ is not what derive/ and templates/ give

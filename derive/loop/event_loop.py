@@ -32,9 +32,8 @@ from ..state.shared_kernels import (
     by_kind,
     by_law,
     for_each,
+    on_law,
     on_surface,
-    parameter_variables,
-    take_parameters,
 )
 from ..symbolic.symbols import variable
 from .loop import REVIEW, TIGHTENING, Loop
@@ -470,18 +469,7 @@ def _laws(common: Parts, contacts: Sequence[LoopSurface]) -> Iterator[Node]:
         carried = _law_bounds(common, surface, its)
         return (*carried, *(given_as(node, its) for node in _law(common, surface)))
 
-    for surfaces in by_law(contacts):
-        law = surfaces[0].law
-        if "taken" not in law:
-            yield from for_each(surfaces, lambda s, index: on_surface(common, index, *nodes(s, {})))
-            continue
-        # Parameters that differ are loaded first: a contact then costs the same on every body.
-        mine, its = (
-            f"struck_{surfaces[0].index}",
-            parameter_variables(law["taken"], law["impact"].name),
-        )
-        yield from take_parameters(common, surfaces, law["taken"], mine, its)
-        yield If(mine, nodes(surfaces[0], its))
+    yield from on_law(common, contacts, nodes)
 
 
 def _is_one_law(contacts: Sequence[LoopSurface]) -> bool:

@@ -277,6 +277,11 @@ def _contact_decisions(
             "Whether a surface is another than the one that the ball stays on.",
         ),
         decision(
+            "other_surface",
+            {"beside": Not(Equal(which, index))},
+            "Whether a surface is another than that of the event.",
+        ),
+        decision(
             "beside_edgeless",
             {
                 "beside": all_of(Not(Equal(held, index)), Not(one_of(held, tori))),

@@ -11,15 +11,18 @@ from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
 
 from ..events.search import Parts
-from ..ir.event_tree import Call, If, Node, While, given_as
+from ..ir.event_tree import Call, If, Node, Value, While, given_as
 from ..motion import ring_rolling_series, rolling_series
-from ..state.shared_kernels import LoopSurface, on_surface
+from ..state.shared_kernels import LoopSurface, for_runs, on_law
 from ..symbolic.symbols import STATE, normal
 from .surface_nodes import (
     accelerated,
     at_seams,
     bounds_of,
+    held_law,
+    if_held,
     nearest_others,
+    on_event,
     on_held,
     outside,
     part_call,
@@ -102,14 +105,8 @@ def _last_bounce(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node
             yield from on_held(common, holders, "rolling_surface")
         return
     yield Call(common["no_bounce"])
-    for surface in holders:
-        yield Call(common["holding"], {"index": surface.index})
-        own = (
-            given_as(Call(surface.law["rebound"]), surface.law_sizes),
-            part_call(surface, "rolling_surface"),
-            part_call(surface, "turning"),
-        )
-        yield If("here", own)
+    yield from held_law(common, holders, "rebound")
+    yield from on_held(common, holders, "rolling_surface", "turning")
     yield Call(common["pressed_on"])
 
 
@@ -127,43 +124,29 @@ def settled(
     if not holders:
         return
     nodes: list[Node] = [Call(common["estimates"])] if "estimates" in common else []
-    nodes += [*_normals(common, holders), Call(common["off_at_start"])]
+    nodes += [*on_event(common, holders, "normal"), Call(common["off_at_start"])]
     nodes.append(If("put_on", tuple(_put_on(common, holders)), rare=True))
     nodes += [Call(common["nearly"]), Call(common["gripped"]), Call(common["error_bounds"])]
     if "air_rates" in common:  # by the spin after the contact
         nodes.append(Call(common["air_rates"]))
-    for surface in holders:
-        own = (
-            part_call(surface, "rolling_surface"),
-            part_call(surface, "turning"),
-            Call(common["pressed_on"]),
-            *nearest_others(common, contacts, end_planes, surface.index),
-            given_as(
-                Call(surface.parts["separation"], wanted=frozenset({"lift", "gap_jerk"})),
-                surface.sizes,
-            ),
-            given_as(Call(surface.law["settling"]), surface.law_sizes),
-            Call(common["settled"], {"index": surface.index}),
-        )
-        nodes += on_surface(common, surface.index, *own)
+
+    def decided(surface: LoopSurface, its: Mapping[str, str]) -> tuple[Node, ...]:
+        settling = given_as(Call(surface.law["settling"]), its)
+        return settling, Call(common["settled"], {"index": "which"})
+
+    nodes += on_event(common, holders, "rolling_surface", "turning", "separation")
+    nodes.append(Call(common["pressed_on"]))
+    nodes += nearest_others(common, contacts, end_planes)
+    nodes += on_law(common, holders, decided)
     yield If("slow", tuple(nodes), rare=True)
-
-
-def _normals(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
-    """Evaluate the normal of the surface of the event."""
-    yield part_call(holders[0], "normal")
-    for surface in holders[1:]:
-        yield from on_surface(common, surface.index, part_call(surface, "normal"))
 
 
 def _put_on(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
     """Put a ball onto the surface that it starts on."""
-    yield part_call(holders[0], "distance")
-    for surface in holders[1:]:
-        yield from on_surface(common, surface.index, part_call(surface, "distance"))
+    yield from on_event(common, holders, "distance")
     yield Call(common["placed_at_start"])
     yield Call(common["start_errors"])
-    yield from _normals(common, holders)
+    yield from on_event(common, holders, "normal")
     yield Call(common["undecided_at_start"])
     yield Call(common["start_velocity_errors"])
     yield Call(common["velocity_at_start"])
@@ -174,9 +157,12 @@ def _free_time(
 ) -> Iterator[Node]:
     """Bound the time for which a ball that leaves a surface certainly meets no other one."""
     yield Call(common["no_contact"])
-    for surface in contacts:
-        yield Call(common["beside"], {"index": surface.index})
+
+    def flies_beside(surface: LoopSurface, index: Value) -> Iterator[Node]:
+        yield Call(common["beside"], {"index": index})
         yield If("beside", tuple(_beside_in_flight(common, surface)))
+
+    yield from for_runs(contacts, flies_beside)
     for end_plane in end_planes:
         yield part_call(end_plane, "beside")
         yield Call(common["end_plane_free_time"])
@@ -204,14 +190,16 @@ def _step(
         yield from _at_edges(common, holders)
         yield Call(common["near_edge"])
     tori = [own for own in holders if "width" in own.parts and not bounds_of(own)]
-    for surface in contacts:
-        own = {"index": surface.index}
+
+    def beside(surface: LoopSurface, index: Value) -> Iterator[Node]:
         if tori and bounds_of(surface) and "rolling_surface" in surface.parts:
-            yield Call(common["beside_edgeless"], own)
-            yield If("comes_over", tuple(_beside_ring(common, surface)))
+            yield Call(common["beside_edgeless"], {"index": index})
+            yield If("comes_over", tuple(_beside_ring(common, surface, index)))
         else:
-            yield Call(common["beside"], own)
-        yield If("beside", tuple(_beside(common, surface, edged)))
+            yield Call(common["beside"], {"index": index})
+        yield If("beside", tuple(_beside(common, surface, index, edged)))
+
+    yield from for_runs(contacts, beside)
     yield from _beside_end_planes(common, end_planes)
     yield from at_seams(common, holders, "beside_seam")
     yield Call(common["beside_time"])
@@ -238,25 +226,25 @@ def _friction_limit(common: Parts, friction: Sequence[Node]) -> Iterator[Node]:
 def _friction(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
     """Evaluate the friction that rolling takes on a surface, and the law's limit."""
     yield Call(common["ring_friction"])
-    for surface in holders:
-        yield Call(common["holding"], {"index": surface.index})
-        yield If("here", (given_as(Call(surface.law["grip_deficit"]), surface.law_sizes),))
+    yield from held_law(common, holders, "grip_deficit")
 
 
-def _beside_ring(common: Parts, surface: LoopSurface) -> Iterator[Node]:
+def _beside_ring(common: Parts, surface: LoopSurface, index: Value) -> Iterator[Node]:
     """Detect where a ball on a torus meets another surface, or is taken over by it at a bound."""
     if not bounds_of(surface) or "rolling_surface" not in surface.parts:
-        yield from _beside(common, surface)
+        yield from _beside(common, surface, index)
         return
     yield part_call(surface, "beside")
     yield Call(common["no_entry"])
     yield from outside(common, surface, "outside_bound", "entering_bound")
     yield Call(common["near_edge"])
     yield part_call(surface, "facing")
-    yield Call(common["beside_entered_body"], {"index": surface.index})
+    yield Call(common["beside_entered_body"], {"index": index})
 
 
-def _beside(common: Parts, surface: LoopSurface, edged: bool = False) -> Iterator[Node]:
+def _beside(
+    common: Parts, surface: LoopSurface, index: Value, edged: bool = False
+) -> Iterator[Node]:
     """Detect where the ball meets another surface; edged is true where it may reach an edge."""
     bounded = bool(bounds_of(surface))
     yield part_call(surface, "beside")
@@ -267,7 +255,7 @@ def _beside(common: Parts, surface: LoopSurface, edged: bool = False) -> Iterato
     elif bounded:  # on a ring, which has no edge
         yield Call(common["near_edge"])
     event = "beside_body_at_edge" if edged else "beside_body"
-    yield Call(common["beside_bounded_body" if bounded else event], {"index": surface.index})
+    yield Call(common["beside_bounded_body" if bounded else event], {"index": index})
 
 
 def _beside_in_flight(common: Parts, surface: LoopSurface) -> Iterator[Node]:
@@ -279,41 +267,36 @@ def _beside_in_flight(common: Parts, surface: LoopSurface) -> Iterator[Node]:
 
 def _at_edges(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
     """Detect where the ball is past an edge of the surface that it is on."""
-    for surface in holders:
-        if bounds := bounds_of(surface):
-            each = (
-                node
-                for part in bounds
-                for node in (
-                    part_call(surface, part),
-                    shifted_bound(surface, part),
-                    Call(common["reaches_edge"]),
-                )
-            )
-            yield Call(common["holding"], {"index": surface.index})
-            yield If("here", tuple(each))
+
+    def each(surface: LoopSurface) -> Iterator[Node]:
+        for part in bounds_of(surface):
+            yield part_call(surface, part)
+            yield shifted_bound(surface, part)
+            yield Call(common["reaches_edge"])
+
+    yield from if_held(common, [surface for surface in holders if bounds_of(surface)], each)
 
 
 def _past_edge(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
     """Find the surface that takes the ball over at an edge, and add the errors of that time."""
     yield Call(common["error_bounds"])
-    for surface in holders:
+
+    def takes_over(surface: LoopSurface, index: Value) -> Iterator[Node]:
         takes = (
             part_call(surface, "beside"),
             part_call(surface, "facing"),
             *([] if bounds_of(surface) else [Call(common["unbounded"])]),
             *outside(common, surface, "outside_bound_in_flight"),
-            Call(common["succeeds"], {"index": surface.index}),
+            Call(common["succeeds"], {"index": index}),
         )
-        yield Call(common["beside"], {"index": surface.index})
+        yield Call(common["beside"], {"index": index})
         yield If("beside", takes)
+
+    yield from for_runs(holders, takes_over)
     yield Call(common["no_bounce"])
-    for surface in holders:
-        yield Call(common["holding"], {"index": surface.index})
-        yield If("here", tuple(accelerated(common, surface, "before")))
-    for surface in holders:
-        yield Call(common["taking_over"], {"index": surface.index})
-        yield If("here", tuple(accelerated(common, surface, "after")))
+    yield from if_held(common, holders, lambda own: accelerated(common, own, "before"))
+    after = "taking_over"
+    yield from if_held(common, holders, lambda own: accelerated(common, own, "after"), after)
     yield Call(common["edge_errors"])
 
 
@@ -353,8 +336,7 @@ def _ring_step(
     yield Call(common["leaving_force"])
     if any(map(bounds_of, others)):
         yield part_call(ring, "normal")
-    for surface in others:
-        yield from _beside_ring(common, surface)
+    yield from for_runs(others, lambda other, index: _beside_ring(common, other, index))
     yield from _beside_end_planes(common, end_planes)
     yield Call(common["beside_time"])
     yield Call(common["neighbour_scale"])
@@ -394,15 +376,11 @@ def _moved(
 
 def _moved_neighbour(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[Node]:
     """Move the neighbouring motion, which begins on the surface, too."""
-    for surface in holders:
-        yield Call(common["holding"], {"index": surface.index})
-        yield If("here", (part_call(surface, "normal", _NEIGHBOUR),))
+    yield from on_held(common, holders, "normal", names=_NEIGHBOUR)
     yield renamed(Call(common["roll_turn_rate"]), _NEIGHBOUR)
     yield from _put_back(common, holders, _NEIGHBOUR)
-    for surface in holders:
-        if "width" in surface.parts:
-            yield Call(common["holding"], {"index": surface.index})
-            yield If("here", (part_call(surface, "width", _NEIGHBOUR),))
+    revolved = [surface for surface in holders if "width" in surface.parts]
+    yield from on_held(common, revolved, "width", names=_NEIGHBOUR)
     yield renamed(Call(common["roll_start"]), _NEIGHBOUR)
     yield from _series(common, _NEIGHBOUR)
     yield from _moved(common, holders, _NEIGHBOUR)
@@ -411,8 +389,5 @@ def _moved_neighbour(common: Parts, holders: Sequence[LoopSurface]) -> Iterator[
 def _put_back(
     common: Parts, holders: Sequence[LoopSurface], names: Mapping[str, str]
 ) -> Iterator[Node]:
-    for surface in holders:
-        yield Call(common["holding"], {"index": surface.index})
-        parts = (part_call(surface, part, names) for part in ("normal", "distance"))
-        yield If("here", tuple(parts))
+    yield from on_held(common, holders, "normal", "distance", names=names)
     yield renamed(Call(common["roll_placed"]), names)

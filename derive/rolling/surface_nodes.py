@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 
 from ..events.search import Parts
-from ..ir.event_tree import Call, If, Node, given_as
-from ..state.shared_kernels import LoopSurface
+from ..ir.event_tree import Call, If, Node, Value, given_as
+from ..state.shared_kernels import LoopSurface, by_law, for_each, for_runs, on_surface
 
 
 def part_call(
@@ -43,7 +43,12 @@ def renamed(node: Call, names: Mapping[str, str]) -> Call:
     return Call(node.kernel, {**inputs, **node.inputs}, outputs)
 
 
-def on_held(common: Parts, surfaces: Sequence[LoopSurface], *parts: str) -> Iterator[Node]:
+def on_held(
+    common: Parts,
+    surfaces: Sequence[LoopSurface],
+    *parts: str,
+    names: Mapping[str, str] = MappingProxyType({}),
+) -> Iterator[Node]:
     """Yield nodes that evaluate kernels of the surface that the ball stays on.
 
     Parameters
@@ -54,10 +59,85 @@ def on_held(common: Parts, surfaces: Sequence[LoopSurface], *parts: str) -> Iter
         The surfaces that a ball may stay on.
     parts
         The kernels, by their names among the parts of a surface.
+    names
+        The names that a motion has for the state, by the kernels' own.
     """
-    for surface in surfaces:
-        yield Call(common["holding"], {"index": surface.index})
-        yield If("here", tuple(part_call(surface, part) for part in parts))
+
+    def own(surface: LoopSurface) -> Iterator[Node]:
+        yield from (part_call(surface, part, names) for part in parts)
+
+    yield from if_held(common, surfaces, own)
+
+
+def if_held(
+    common: Parts,
+    surfaces: Sequence[LoopSurface],
+    body: Callable[[LoopSurface], Iterator[Node]],
+    decision: str = "holding",
+) -> Iterator[Node]:
+    """Yield nodes for the surface that the ball stays on.
+
+    Parameters
+    ----------
+    common
+        The kernels that all surfaces share, by name.
+    surfaces
+        The surfaces that a ball may stay on.
+    body
+        Function of a surface that returns the nodes.
+    decision
+        The decision about a surface: "taking_over" for that which the ball goes over to.
+    """
+
+    def own(surface: LoopSurface, index: Value) -> Iterator[Node]:
+        yield Call(common[decision], {"index": index})
+        yield If("here", tuple(body(surface)))
+
+    yield from for_runs(surfaces, own)
+
+
+def held_law(common: Parts, surfaces: Sequence[LoopSurface], part: str) -> Iterator[Node]:
+    """Yield nodes that evaluate a kernel of the law of the surface that the ball stays on.
+
+    Parameters
+    ----------
+    common
+        The kernels that all surfaces share, by name.
+    surfaces
+        The surfaces that a ball may stay on.
+    part
+        The kernel, by its name among the parts of a law.
+    """
+
+    def own(surface: LoopSurface, index: Value) -> Iterator[Node]:
+        yield Call(common["holding"], {"index": index})
+        yield If("here", (Call(surface.law[part]),))
+
+    for alike in by_law(surfaces):
+        yield from for_each(alike, own)
+
+
+def on_event(common: Parts, surfaces: Sequence[LoopSurface], *parts: str) -> Iterator[Node]:
+    """Yield nodes that evaluate kernels of the surface of the event.
+
+    Where it is none of these, what they assign has no meaning.
+
+    Parameters
+    ----------
+    common
+        The kernels that all surfaces share, by name.
+    surfaces
+        The surfaces that a ball may stay on.
+    parts
+        The kernels, by their names among the parts of a surface.
+    """
+    first, *others = surfaces
+    yield from (part_call(first, part) for part in parts)
+
+    def own(surface: LoopSurface, index: Value) -> Iterator[Node]:
+        yield from on_surface(common, index, *(part_call(surface, part) for part in parts))
+
+    yield from for_runs(others, own)
 
 
 def bounds_of(surface: LoopSurface) -> list[str]:
@@ -165,19 +245,21 @@ def at_seams(common: Parts, holders: Sequence[LoopSurface], decision: str) -> It
     decision
         The name of the decision.
     """
-    for surface in holders:
-        if seams := seams_of(surface):
-            each = (n for s in seams for n in (part_call(surface, s), Call(common[decision])))
-            yield Call(common["holding"], {"index": surface.index})
-            yield If("here", tuple(each))
+
+    def each(surface: LoopSurface) -> Iterator[Node]:
+        for seam in seams_of(surface):
+            yield part_call(surface, seam)
+            yield Call(common[decision])
+
+    yield from if_held(common, [surface for surface in holders if seams_of(surface)], each)
 
 
 def nearest_others(
-    common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface], index: int
+    common: Parts, contacts: Sequence[LoopSurface], end_planes: Sequence[LoopSurface]
 ) -> Iterator[Node]:
     """Yield nodes that evaluate how far a ball is from all but the part of the surface it is on.
 
-    On a seam of that surface, within the errors, the shot is undecided.
+    That is the surface of the event. On a seam of it, within the errors, the shot is undecided.
 
     Parameters
     ----------
@@ -187,27 +269,36 @@ def nearest_others(
         The surfaces of bodies.
     end_planes
         The planes whose crossing ends a shot.
-    index
-        The surface that the ball is on.
     """
+
+    def distance(surface: LoopSurface, index: Value) -> Iterator[Node]:
+        yield Call(common["other_surface"], {"index": index})
+        other = (
+            part_call(surface, "closing"),
+            *outside(common, surface, "outside_by"),
+            Call(common["near_bounded_body" if bounds_of(surface) else "near_body"]),
+        )
+        yield If("beside", other)
+        if "rolling_surface" in surface.parts and (own := tuple(_own_borders(common, surface))):
+            yield from on_surface(common, index, *own)
+
     yield Call(common["isolated"])
-    for surface in contacts:
-        if surface.index != index:
-            yield part_call(surface, "closing")
-            yield from outside(common, surface, "outside_by")
-            yield Call(common["near_bounded_body" if bounds_of(surface) else "near_body"])
-            continue
-        for part in bounds_of(surface):
-            yield part_call(surface, part)
-            yield Call(common["beside_edge"])
-        for part in seams_of(surface):
-            yield part_call(surface, part)
-            if "near_seam" in common:
-                yield Call(common["near_seam"])
-            yield Call(common["seam_undecided"])
-        if "near_apex" in common:
-            yield Call(common["near_apex"])
+    yield from for_runs(contacts, distance)
+    if "near_apex" in common:
+        yield Call(common["near_apex"])
     for end_plane in end_planes:
         beside = Call(end_plane.parts["beside"], wanted=frozenset({"gap"}))
         yield given_as(beside, end_plane.sizes)
         yield Call(common["near_end_plane"])
+
+
+def _own_borders(common: Parts, surface: LoopSurface) -> Iterator[Node]:
+    """Yield nodes that evaluate how far a ball is from the bounds and seams of its surface."""
+    for part in bounds_of(surface):
+        yield part_call(surface, part)
+        yield Call(common["beside_edge"])
+    for part in seams_of(surface):
+        yield part_call(surface, part)
+        if "near_seam" in common:
+            yield Call(common["near_seam"])
+        yield Call(common["seam_undecided"])

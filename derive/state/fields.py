@@ -108,10 +108,12 @@ class ResultField:
         The name and the meaning of the number of shots in which it is not zero, which studies
         count; empty: they do not.
     proved
-        Its value in every shot that is proved to its end, which has bounced all the way; None: the
-        judge computes it.
+        Its value in every shot that is proved to its end, which has bounced all the way; None: it
+        has no such value.
     is_judged
-        False if the judge knows nothing of it: a shot that is settled keeps the engine's value.
+        True if the judge computes it, under its name in `Certificate`. With neither this nor
+        `proved` a shot that is settled keeps the engine's value, which is not proved and may be
+        that of another course.
     """
 
     name: str
@@ -136,7 +138,7 @@ class ResultField:
     tally: str = ""
     tally_summary: str = ""
     proved: float | None = None
-    is_judged: bool = True
+    is_judged: bool = False
 
 
 EVENTS = {
@@ -332,8 +334,10 @@ def results(
     """
     state = tuple(symbol.name for symbol in STATE)
     return (
-        ResultField("outcome", "uint8", ("outcome",), "how it ended", flags=tuple(outcomes)),
-        ResultField("contacts", "int32", ("contacts",), "contacts before the end"),
+        ResultField(
+            "outcome", "uint8", ("outcome",), "how it ended", flags=tuple(outcomes), is_judged=True
+        ),
+        ResultField("contacts", "int32", ("contacts",), "contacts before the end", is_judged=True),
         ResultField(
             "counts",
             "int32",
@@ -341,6 +345,7 @@ def results(
             "contacts with each body",
             row=True,
             is_counted=is_counted,
+            is_judged=True,
             labels=tuple(f"{name}_contacts" for name in bodies),
             dimension="surface",
             coordinates=tuple(bodies),
@@ -352,6 +357,7 @@ def results(
             "first body touched, -1: none",
             flags=("none", *bodies),
             first_flag=NONE,
+            is_judged=True,
         ),
         ResultField(
             "time",
@@ -361,6 +367,7 @@ def results(
             is_empty_if_invalid=True,
             units=("s",),
             is_at_end=True,
+            is_judged=True,
         ),
         ResultField(
             "state",
@@ -375,6 +382,7 @@ def results(
             coordinates=state,
             unit_coordinate="unit",
             is_at_end=True,
+            is_judged=True,
         ),
         *_ROLLING,
         ResultField(
@@ -387,6 +395,7 @@ def results(
             is_on_request=True,
             switch="claims",
             units=("s",),
+            is_judged=True,
         ),
         ResultField(
             "state_error",
@@ -402,6 +411,7 @@ def results(
             units=_STATE_UNITS[::3],
             dimension="part",
             coordinates=_PARTS,
+            is_judged=True,
         ),
         ResultField(
             "uncertain",
@@ -409,6 +419,7 @@ def results(
             ("uncertain",),
             "a decision lies within its rounding-error bound",
             is_diagnostic=True,
+            is_judged=True,
         ),
         _ESTIMATED,
     )

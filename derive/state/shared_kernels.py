@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import groupby
 
 import sympy as sp
 
@@ -236,21 +237,24 @@ def for_each(
     alike
         The surfaces.
     body
-        Function of a surface, and of the name of its index, that returns the nodes.
+        Function of a surface, and of the name of its index, that returns the nodes, as for the
+        first surface of the kind. The variables of the others are put into them here.
     near
         Inputs of the group test, if the nodes do not affect a shot that is far from the surface and
         the surfaces have kernels for that test.
     """
-    first = alike[0]
+    first = replace(alike[0], sizes={}, law_sizes={})
     if len(alike) == 1:
-        yield from body(first, first.index)
+        names = {kernel.name: alike[0].sizes for kernel in first.parts.values()}
+        names |= {kernel.name: alike[0].law_sizes for kernel in first.law.values()}
+        yield from _called(body(first, first.index), names)
         return
     groups = None
     if near is not None and "box" in first.parts:
         order, members = group_bodies([surface.box for surface in alike])
         alike = [alike[k] for k in order]
-        names = set(map(variable, first.parts["near_any"].arguments))
-        inputs = {name: value for name, value in near.items() if name in names}
+        arguments = set(map(variable, first.parts["near_any"].arguments))
+        inputs = {name: value for name, value in near.items() if name in arguments}
         groups = BoundingVolumes(
             Call(first.parts["box"]), Call(first.parts["near_any"], inputs), members
         )
@@ -267,6 +271,53 @@ def for_each(
     if groups is not None:
         groups = replace(groups, box=given_as(groups.box, called[groups.box.kernel.name]))
     yield read_of(ForEach(tuple(table), tuple(zip(*table.values(), strict=True)), nodes, groups))
+
+
+def for_runs(
+    surfaces: Iterable[LoopSurface], body: Callable[[LoopSurface, Value], Iterator[Node]]
+) -> Iterator[Node]:
+    """Execute nodes for each surface, in order; adjacent ones of a kind share the nodes.
+
+    Parameters
+    ----------
+    surfaces
+        The surfaces.
+    body
+        As for `for_each`.
+    """
+    for _, alike in groupby(surfaces, lambda surface: id(surface.search)):
+        yield from for_each(tuple(alike), body)
+
+
+def on_law(
+    common: Parts,
+    surfaces: Iterable[LoopSurface],
+    nodes: Callable[[LoopSurface, Mapping[str, str]], Sequence[Node]],
+) -> Iterator[Node]:
+    """Execute nodes with the kernels of the contact law of the surface that the event is on.
+
+    Parameters
+    ----------
+    common
+        The kernels that all surfaces share, by part.
+    surfaces
+        The surfaces that the event may be on.
+    nodes
+        Function of the first surface of a law, and of the variables of the law's parameters by
+        those of that surface, that returns the nodes.
+    """
+    for alike in by_law(surfaces):
+        law = alike[0].law
+        if "taken" not in law:
+            yield from for_each(alike, lambda s, index: on_surface(common, index, *nodes(s, {})))
+            continue
+        # Parameters that differ are loaded first: a contact then costs the same on every body.
+        mine, its = (
+            f"struck_{alike[0].index}",
+            parameter_variables(law["taken"], law["impact"].name),
+        )
+        yield from take_parameters(common, alike, law["taken"], mine, its)
+        yield If(mine, tuple(nodes(alike[0], its)))
 
 
 def _table(

@@ -80,9 +80,9 @@ def _own(part: Any, fixed: frozenset[sp.Symbol]) -> set[sp.Symbol]:
     return {s for s in part.atoms(ParameterSymbol) if s not in fixed}
 
 
-def _blank(symbol: sp.Symbol) -> sp.Symbol:
-    """Return the stand-in for any symbol with the same assumptions."""
-    return sp.Dummy("any", dummy_index=0, **symbol.assumptions0)
+def _blank(symbol: sp.Symbol, number: int = 0) -> sp.Symbol:
+    """Return the stand-in for any symbol with the same assumptions, or for a known one."""
+    return sp.Dummy("any", dummy_index=number, **symbol.assumptions0)
 
 
 def _shape(parts: Sequence[Any], fixed: frozenset[sp.Symbol]) -> tuple[Any, ...]:
@@ -96,15 +96,22 @@ def _shape(parts: Sequence[Any], fixed: frozenset[sp.Symbol]) -> tuple[Any, ...]
 def _symbols(
     left: Sequence[Any], right: Sequence[Any], fixed: frozenset[sp.Symbol]
 ) -> dict[sp.Symbol, sp.Symbol] | None:
-    """Return the symbols that map the parts of one thing onto those of another; None if none do."""
+    """Return the symbols that map the parts of one thing onto those of another; None if none do.
+
+    Parts that are a symbol come first: in a sum they tell apart terms of one form.
+    """
     found: dict[sp.Symbol, sp.Symbol] = {}
-    for one, other in zip(left, right, strict=True):
+    parts = list(zip(left, right, strict=True))
+    parts.sort(key=lambda pair: not isinstance(pair[0], sp.Symbol))
+    for one, other in parts:
         if not _own(one, fixed):
             if one != other:
                 return None
             continue
-        pairs = zip(_in_order(one, fixed), _in_order(other, fixed), strict=False)
-        for own, theirs in pairs:
+        numbers = {own: k for k, own in enumerate(found)}
+        theirs_too = {theirs: k for k, theirs in enumerate(found.values())}
+        ordered = (_in_order(one, fixed, numbers), _in_order(other, fixed, theirs_too))
+        for own, theirs in zip(*ordered, strict=False):
             if found.setdefault(own, theirs) != theirs or own.assumptions0 != theirs.assumptions0:
                 return None
         if one.xreplace(found) != other:
@@ -112,12 +119,14 @@ def _symbols(
     return {own: theirs for own, theirs in found.items() if own != theirs}
 
 
-def _in_order(expression: sp.Basic, fixed: frozenset[sp.Symbol]) -> list[sp.Symbol]:
-    """Return the parameters in an order that does not depend on their names."""
+def _in_order(
+    expression: sp.Basic, fixed: frozenset[sp.Symbol], known: Mapping[sp.Symbol, int]
+) -> list[sp.Symbol]:
+    """Return the parameters in an order that does not depend on their names, but on known ones."""
     if isinstance(expression, ParameterSymbol):
         return [] if expression in fixed else [expression]
-    blanks = {s: _blank(s) for s in _own(expression, fixed)}
+    blanks = {s: _blank(s, known.get(s, -1) + 1) for s in _own(expression, fixed)}
     parts: Iterable[sp.Basic] = expression.args
     if expression.is_Add or expression.is_Mul:
         parts = sorted(parts, key=lambda part: default_sort_key(part.xreplace(blanks)))
-    return [symbol for part in parts for symbol in _in_order(part, fixed)]
+    return [symbol for part in parts for symbol in _in_order(part, fixed, known)]

@@ -1,6 +1,6 @@
 /* court: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene court, derivation f8a3aedb42671401,
+   Generated from templates/c/scene.h.j2, scene court, derivation 6850e5812fbcfc63,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile court.c, next to which this and the other files

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation f8a3aedb42671401,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 6850e5812fbcfc63,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -2486,6 +2486,18 @@ LANES(court_beside)(V index, V held)
     return (LANES(court_beside_out)){ lanes_not(lanes_equal(held, index)) };
 }
 
+/* Whether a surface is another than that of the event.
+   Table 1. 2 operations: 1 comparison, 1 complement. */
+typedef struct {
+    M beside;
+} LANES(court_other_surface_out);
+
+LANES_INLINE LANES(court_other_surface_out)
+LANES(court_other_surface)(V index, V which)
+{
+    return (LANES(court_other_surface_out)){ lanes_not(lanes_equal(which, index)) };
+}
+
 /* Start value: the ball has not departed.
    Table 1. No operations. */
 typedef struct {
@@ -2713,7 +2725,7 @@ LANES(court_ring_impact_undecided)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V n
 }
 
 /* Whether the bounces end in rolling, sliding, a wedge or departure, and whether that is certain.
-   a geometric series of bounces. 216 operations: 34 additions, 3 subtractions, 61 multiplications, 10 divisions, 1 square root, 2 negations, 22 absolute values, 33 comparisons, 32 conjunctions, 10 disjunctions, 5 complements, 3 selections. */
+   a geometric series of bounces. 222 operations: 35 additions, 4 subtractions, 65 multiplications, 10 divisions, 1 square root, 2 negations, 22 absolute values, 33 comparisons, 32 conjunctions, 10 disjunctions, 5 complements, 3 selections. */
 typedef struct {
     M settles, lodges, slides, unpressed;
     V assured;
@@ -2721,66 +2733,72 @@ typedef struct {
 } LANES(court_ring_impact_settling_out);
 
 LANES_INLINE LANES(court_ring_impact_settling_out)
-LANES(court_ring_impact_settling)(V x, V y, V z, V nx, V ny, V nz, V vx, V vy, V vz, V wx, V wy, V wz, V position_error, V velocity_error, V mode, V per_reach, V rolled_x, V rolled_y, V rolled_z, V turning_x, V turning_y, V turning_z, V slip, V bounce, V nearest, V second_contact_gap, V press, V weight, V rolling_friction, V lift, V gap_jerk, V _c0, V _c1, V _c2, V _c3, V _c4, V _c5, V _c6, V _c7, V _c8, V _c9, V _c10)
+LANES(court_ring_impact_settling)(V p_ring_friction, V p_ring_restitution, V x, V y, V z, V nx, V ny, V nz, V vx, V vy, V vz, V wx, V wy, V wz, V position_error, V velocity_error, V mode, V per_reach, V rolled_x, V rolled_y, V rolled_z, V turning_x, V turning_y, V turning_z, V slip, V bounce, V nearest, V second_contact_gap, V press, V weight, V rolling_friction, V lift, V gap_jerk, V _c0, V _c1, V _c2, V _c3, V _c4)
 {
-    const M _s0 = lanes_less(K(0.0), _c3);
-    const V _s1 = lanes_div(bounce, press);
-    const V _s2 = lanes_add(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_abs(turning_x), lanes_abs(turning_y)), lanes_abs(turning_z)));
-    const V _s3 = lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz)));
-    const V _s4 = lanes_add(lanes_add(lanes_add(_s3, lanes_abs(rolled_x)), lanes_abs(rolled_y)), lanes_abs(rolled_z));
-    const V _s5 = lanes_abs(weight);
-    const V _s6 = lanes_mul(lanes_mul(K(8.0), _s2), lanes_add(lanes_mul(_s2, _s4), _s5));
-    const V _s7 = lanes_add(lanes_sqrt(lanes_mul(_c0, _s5)), _s4);
-    const V _s8 = lanes_mul(K(1.4210854715202004e-14), _s7);
-    const V _s9 = lanes_mul(K(2.0), rolling_friction);
-    const V _s10 = lanes_mul(press, _c5);
-    const M _s11 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), press), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s1), _s6), lanes_mul(press, _c4))), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), rolling_friction), _s1), _s8))), lanes_at_most(_s9, _s10));
-    const V _s12 = lanes_mul(K(0.5), bounce);
-    const V _s13 = lanes_mul(K(4.0), rolling_friction);
-    const V _s14 = lanes_add(lanes_add(lanes_mul(_s12, _s1), lanes_div(lanes_mul(_s13, lanes_mul(_s1, _s1)), _c6)), lanes_div(lanes_mul(lanes_mul(lanes_mul(K(4.0), slip), _c7), _s1), _c3));
-    const M _s15 = lanes_both(_s11, lanes_at_most(_s14, _c8));
-    const M _s16 = lanes_at_most(second_contact_gap, _c9);
-    const V _s17 = lanes_div(lanes_mul(lanes_mul(K(16.0), _s1), _s4), _c3);
-    const M _s18 = lanes_less(lanes_add(_c9, _s17), nearest);
-    const M _s19 = lanes_at_most(_s17, _c9);
-    const M _s20 = lanes_equal(mode, K(5.0));
-    const V _s21 = lanes_mul(K(3.552713678800501e-15), lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(x), lanes_abs(y)), lanes_abs(z)), _c0)));
-    const V _s22 = lanes_mul(_s21, lanes_add(lanes_add(lanes_add(_s3, lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz)));
-    const V _s23 = lanes_neg(lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz)));
-    const M _s24 = lanes_both(lanes_both(_s20, lanes_at_most(bounce, _s22)), lanes_at_most(_s23, _s22));
-    const M _s25 = lanes_both(_s24, lanes_less(K(0.0), gap_jerk));
-    const V _s26 = lanes_abs(lift);
-    const V _s27 = lanes_mul(K(2.2737367544323206e-13), lanes_add(_c1, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), _c0)));
-    const M _s28 = lanes_both(_s25, lanes_at_most(_s26, _s27));
-    const M _s29 = lanes_not(_s28);
-    const V _s30 = lanes_neg(lift);
-    const V _s31 = lanes_min(_s30, press);
-    const V _s32 = lanes_div(bounce, _s31);
-    const M _s33 = lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), _s31), _s0), lanes_less(lanes_mul(lanes_mul(K(3.0), _s32), _s6), lanes_mul(_c4, _s31))), lanes_less(lanes_add(_c9, lanes_div(lanes_mul(lanes_mul(K(16.0), _s32), _s4), _c3)), nearest));
-    const M _s34 = lanes_both(_s33, lanes_at_most(lanes_add(lanes_mul(_s12, _s32), lanes_div(lanes_mul(_s13, lanes_mul(_s32, _s32)), _c6)), _c8));
-    const V _s35 = lanes_add(lanes_div(lanes_mul(K(2.0), lanes_add(lanes_mul(_s9, _s32), lanes_select(lanes_less(K(0.0), bounce), lanes_mul(bounce, _c5), K(0.0)))), _c10), lanes_mul(K(1.4551915228366852e-11), _s7));
-    const M _s36 = lanes_either(lanes_both(lanes_both(lanes_at_most(bounce, _s8), lanes_at_most(K(0.0), lift)), lanes_not(lanes_both(_s20, lanes_less(lanes_mul(K(0.5), _s22), _s23)))), _s28);
-    const V _s37 = lanes_add(slip, _s4);
-    const V _s38 = lanes_abs(per_reach);
-    const V _s39 = lanes_add(_c1, lanes_mul(lanes_mul(_s37, _s37), _s38));
-    const V _s40 = lanes_add(lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(position_error, _s39), lanes_mul(velocity_error, _s37))), _s38), lanes_mul(K(3.552713678800501e-15), _s39));
-    const M _s41 = lanes_both(lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s14, _c8))), lanes_mul(lanes_mul(K(2.0), velocity_error), _c8)), lanes_less(K(0.0), lanes_mul(_c2, bounce))), lanes_not(_s24));
-    const V _s42 = lanes_mul(K(8.0), velocity_error);
-    const M _s43 = lanes_both(_s34, lanes_either(lanes_less(lanes_abs(lanes_sub(slip, _s35)), _s42), lanes_less(lanes_abs(lanes_sub(_s9, _s10)), lanes_mul(_s42, lanes_add(lanes_mul(_c5, _s2), _s2)))));
-    const M _s44 = lanes_either(lanes_either(lanes_either(lanes_either(lanes_at_most(lanes_abs(press), _s40), lanes_at_most(_s26, _s40)), _s41), _s43), lanes_both(lanes_both(_s15, _s19), lanes_not(_s18)));
-    return (LANES(court_ring_impact_settling_out)){ lanes_both(lanes_both(lanes_both(_s15, lanes_not(_s16)), lanes_either(_s18, _s19)), _s29), lanes_both(lanes_both(_s15, _s16), _s29), lanes_both(lanes_both(_s34, lanes_either(lanes_less(_s35, slip), lanes_less(_s10, _s9))), _s29), _s36, lanes_select(lanes_either(lanes_both(_s11, _s18), _s33), K(1.0), K(0.0)), lanes_either(lanes_both(_s44, _s29), lanes_both(_s25, lanes_both(lanes_less(lanes_mul(K(0.5), _s27), _s26), lanes_less(_s26, lanes_mul(K(2.0), _s27))))) };
+    const V _s0 = lanes_sub(K(1.0), p_ring_restitution);
+    const M _s1 = lanes_less(K(0.0), _s0);
+    const V _s2 = lanes_div(bounce, press);
+    const V _s3 = lanes_add(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_abs(turning_x), lanes_abs(turning_y)), lanes_abs(turning_z)));
+    const V _s4 = lanes_mul(_c0, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz)));
+    const V _s5 = lanes_add(lanes_add(lanes_add(_s4, lanes_abs(rolled_x)), lanes_abs(rolled_y)), lanes_abs(rolled_z));
+    const V _s6 = lanes_abs(weight);
+    const V _s7 = lanes_mul(lanes_mul(K(8.0), _s3), lanes_add(lanes_mul(_s3, _s5), _s6));
+    const V _s8 = lanes_mul(_s0, _s0);
+    const V _s9 = lanes_add(lanes_sqrt(lanes_mul(_c0, _s6)), _s5);
+    const V _s10 = lanes_mul(K(1.4210854715202004e-14), _s9);
+    const V _s11 = lanes_mul(K(2.0), rolling_friction);
+    const V _s12 = lanes_add(K(1.0), p_ring_restitution);
+    const V _s13 = lanes_mul(p_ring_friction, _s12);
+    const V _s14 = lanes_mul(press, _s13);
+    const M _s15 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), press), _s1), lanes_less(lanes_mul(lanes_mul(K(3.0), _s2), _s7), lanes_mul(press, _s8))), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), rolling_friction), _s2), _s10))), lanes_at_most(_s11, _s14));
+    const V _s16 = lanes_mul(K(0.5), bounce);
+    const V _s17 = lanes_mul(_s12, _s0);
+    const V _s18 = lanes_mul(K(4.0), rolling_friction);
+    const V _s19 = lanes_add(lanes_add(lanes_mul(_s16, _s2), lanes_div(lanes_mul(_s18, lanes_mul(_s2, _s2)), _s17)), lanes_div(lanes_mul(lanes_mul(lanes_mul(K(4.0), slip), _c2), _s2), _s0));
+    const M _s20 = lanes_both(_s15, lanes_at_most(_s19, _c3));
+    const M _s21 = lanes_at_most(second_contact_gap, _c4);
+    const V _s22 = lanes_div(lanes_mul(lanes_mul(K(16.0), _s2), _s5), _s0);
+    const M _s23 = lanes_less(lanes_add(_c4, _s22), nearest);
+    const M _s24 = lanes_at_most(_s22, _c4);
+    const M _s25 = lanes_equal(mode, K(5.0));
+    const V _s26 = lanes_mul(K(3.552713678800501e-15), lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(x), lanes_abs(y)), lanes_abs(z)), _c0)));
+    const V _s27 = lanes_mul(_s26, lanes_add(lanes_add(lanes_add(_s4, lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz)));
+    const V _s28 = lanes_neg(lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz)));
+    const M _s29 = lanes_both(lanes_both(_s25, lanes_at_most(bounce, _s27)), lanes_at_most(_s28, _s27));
+    const M _s30 = lanes_both(_s29, lanes_less(K(0.0), gap_jerk));
+    const V _s31 = lanes_abs(lift);
+    const V _s32 = lanes_mul(K(2.2737367544323206e-13), lanes_add(_c1, lanes_div(lanes_add(lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy)), lanes_mul(vz, vz)), _c0)));
+    const M _s33 = lanes_both(_s30, lanes_at_most(_s31, _s32));
+    const M _s34 = lanes_not(_s33);
+    const V _s35 = lanes_neg(lift);
+    const V _s36 = lanes_min(_s35, press);
+    const V _s37 = lanes_div(bounce, _s36);
+    const M _s38 = lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), _s36), _s1), lanes_less(lanes_mul(lanes_mul(K(3.0), _s37), _s7), lanes_mul(_s8, _s36))), lanes_less(lanes_add(_c4, lanes_div(lanes_mul(lanes_mul(K(16.0), _s37), _s5), _s0)), nearest));
+    const M _s39 = lanes_both(_s38, lanes_at_most(lanes_add(lanes_mul(_s16, _s37), lanes_div(lanes_mul(_s18, lanes_mul(_s37, _s37)), _s17)), _c3));
+    const V _s40 = lanes_add(lanes_div(lanes_mul(K(2.0), lanes_add(lanes_mul(_s11, _s37), lanes_select(lanes_less(K(0.0), bounce), lanes_mul(bounce, _s13), K(0.0)))), lanes_mul(_c2, _s0)), lanes_mul(K(1.4551915228366852e-11), _s9));
+    const M _s41 = lanes_either(lanes_both(lanes_both(lanes_at_most(bounce, _s10), lanes_at_most(K(0.0), lift)), lanes_not(lanes_both(_s25, lanes_less(lanes_mul(K(0.5), _s27), _s28)))), _s33);
+    const V _s42 = lanes_add(slip, _s5);
+    const V _s43 = lanes_abs(per_reach);
+    const V _s44 = lanes_add(_c1, lanes_mul(lanes_mul(_s42, _s42), _s43));
+    const V _s45 = lanes_add(lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(position_error, _s44), lanes_mul(velocity_error, _s42))), _s43), lanes_mul(K(3.552713678800501e-15), _s44));
+    const M _s46 = lanes_both(lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s19, _c3))), lanes_mul(lanes_mul(K(2.0), velocity_error), _c3)), lanes_less(K(0.0), lanes_mul(p_ring_restitution, bounce))), lanes_not(_s29));
+    const V _s47 = lanes_mul(K(8.0), velocity_error);
+    const M _s48 = lanes_both(_s39, lanes_either(lanes_less(lanes_abs(lanes_sub(slip, _s40)), _s47), lanes_less(lanes_abs(lanes_sub(_s11, _s14)), lanes_mul(_s47, lanes_add(lanes_mul(_s13, _s3), _s3)))));
+    const M _s49 = lanes_either(lanes_either(lanes_either(lanes_either(lanes_at_most(lanes_abs(press), _s45), lanes_at_most(_s31, _s45)), _s46), _s48), lanes_both(lanes_both(_s20, _s24), lanes_not(_s23)));
+    return (LANES(court_ring_impact_settling_out)){ lanes_both(lanes_both(lanes_both(_s20, lanes_not(_s21)), lanes_either(_s23, _s24)), _s34), lanes_both(lanes_both(_s20, _s21), _s34), lanes_both(lanes_both(_s39, lanes_either(lanes_less(_s40, slip), lanes_less(_s14, _s11))), _s34), _s41, lanes_select(lanes_either(lanes_both(_s15, _s23), _s38), K(1.0), K(0.0)), lanes_either(lanes_both(_s49, _s34), lanes_both(_s30, lanes_both(lanes_less(lanes_mul(K(0.5), _s32), _s31), lanes_less(_s31, lanes_mul(K(2.0), _s32))))) };
 }
 
 /* Excess F² - mu² N² and its rate.
-   Coulomb's law. 7 operations: 2 subtractions, 5 multiplications. */
+   Coulomb's law. 8 operations: 2 subtractions, 6 multiplications. */
 typedef struct {
     V grip_deficit, grip_deficit_rate;
 } LANES(court_ring_impact_grip_deficit_out);
 
 LANES_INLINE LANES(court_ring_impact_grip_deficit_out)
-LANES(court_ring_impact_grip_deficit)(V rolling_friction, V rolling_friction_rate, V force, V force_rate, V _c0)
+LANES(court_ring_impact_grip_deficit)(V p_ring_friction, V rolling_friction, V rolling_friction_rate, V force, V force_rate)
 {
-    return (LANES(court_ring_impact_grip_deficit_out)){ lanes_sub(rolling_friction, lanes_mul(_c0, lanes_mul(force, force))), lanes_sub(rolling_friction_rate, lanes_mul(_c0, lanes_mul(K(2.0), lanes_mul(force, force_rate)))) };
+    const V _s0 = lanes_mul(p_ring_friction, p_ring_friction);
+    return (LANES(court_ring_impact_grip_deficit_out)){ lanes_sub(rolling_friction, lanes_mul(_s0, lanes_mul(force, force))), lanes_sub(rolling_friction_rate, lanes_mul(_s0, lanes_mul(K(2.0), lanes_mul(force, force_rate)))) };
 }
 
 /* Slip of a contact, the share of it that friction takes, and the margin of grip.

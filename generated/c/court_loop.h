@@ -1,6 +1,6 @@
 /* The event loop of the scene court, with or without bounds on errors.
 
-   Generated from templates/c/loop.h.j2, scene court, derivation f8a3aedb42671401,
+   Generated from templates/c/loop.h.j2, scene court, derivation 6850e5812fbcfc63,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court_engine.h twice, BOUNDED being 1 where errors are bounded, else 0. The path is
@@ -82,7 +82,11 @@ typedef struct {
     LANES(column) time_claim; /* bound on the error at the last event */
 #endif
     LANES(column) outcome; /* how it ended, -1: in flight */
+#if BOUNDED
+    LANES(court_parameters) parameters, stepping_parameters, searching_parameters, searching_searching_parameters, refining_parameters, reachable_parameters, reachable_searching_parameters, reachable_refining_parameters, in_contact_parameters, in_contact_rolling_parameters, turning_parameters, in_contact_circling_parameters, in_contact_leaves_parameters, slow_parameters;
+#else
     LANES(court_parameters) parameters, stepping_parameters, searching_parameters, searching_searching_parameters, refining_parameters, reachable_parameters, reachable_searching_parameters, reachable_refining_parameters, in_contact_parameters, in_contact_rolling_parameters, in_contact_circling_parameters, in_contact_leaves_parameters, slow_parameters;
+#endif
     /* Shots whose balls stay in contact: they wait for one another, and then have rows of their
        own behind those of the others, so that all lanes work. */
     size_t waiting;
@@ -294,8 +298,7 @@ typedef struct {
         searching_searching_position_error, searching_searching_undecided_time,
         searching_searching_velocity_error, searching_undecided_time, searching_velocity_error,
         slow_assured, slow_clock_error, slow_dvx, slow_dvy, slow_dvz, slow_dwx, slow_dwy, slow_dwz,
-        slow_dx, slow_dy, slow_dz, slow_estimated, slow_uncertain, t, turning_p_backboard_friction,
-        turning_p_bridge_friction, turning_p_ring_friction, undecided_time, velocity_error;
+        slow_dx, slow_dy, slow_dz, slow_estimated, slow_uncertain, t, undecided_time, velocity_error;
     LANES(singles_column) in_contact_circling_clock_bound, in_contact_circling_position_bound,
         in_contact_circling_spin_bound, in_contact_circling_velocity_bound, in_contact_clock_bound,
         in_contact_leaves_clock_bound, in_contact_leaves_position_bound,
@@ -730,8 +733,6 @@ LANES_INLINE size_t LOOP(leave)(LOOP(worklist) *worklist, size_t start, size_t s
 static void LOOP(fix)(LOOP(worklist) *worklist)
 {
     (void)worklist;
-    const V p_backboard_friction = lanes_load(worklist->parameters.p_backboard_friction);
-    const V p_backboard_restitution = lanes_load(worklist->parameters.p_backboard_restitution);
     const V p_ball_radius = lanes_load(worklist->parameters.p_ball_radius);
     const V p_board_bottom = lanes_load(worklist->parameters.p_board_bottom);
     const V p_board_distance = lanes_load(worklist->parameters.p_board_distance);
@@ -739,16 +740,12 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
     const V p_board_thickness = lanes_load(worklist->parameters.p_board_thickness);
     const V p_board_top = lanes_load(worklist->parameters.p_board_top);
     const V p_bridge_depth = lanes_load(worklist->parameters.p_bridge_depth);
-    const V p_bridge_friction = lanes_load(worklist->parameters.p_bridge_friction);
     const V p_bridge_half_width = lanes_load(worklist->parameters.p_bridge_half_width);
-    const V p_bridge_restitution = lanes_load(worklist->parameters.p_bridge_restitution);
     const V p_end_depth = lanes_load(worklist->parameters.p_end_depth);
     const V p_gravity = lanes_load(worklist->parameters.p_gravity);
     const V p_inertia = lanes_load(worklist->parameters.p_inertia);
     const V p_restitution_speed = lanes_load(worklist->parameters.p_restitution_speed);
-    const V p_ring_friction = lanes_load(worklist->parameters.p_ring_friction);
     const V p_ring_radius = lanes_load(worklist->parameters.p_ring_radius);
-    const V p_ring_restitution = lanes_load(worklist->parameters.p_ring_restitution);
     const V p_tangential_restitution = lanes_load(worklist->parameters.p_tangential_restitution);
     const V p_wire_radius = lanes_load(worklist->parameters.p_wire_radius);
     {
@@ -812,29 +809,23 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         const V _s245 = lanes_add(lanes_add(_s227, lanes_mul(K(1.4210854715202004e-14), p_ring_radius)), lanes_mul(K(1.4210854715202004e-14), p_board_distance));
         const V _s248 = lanes_add(_s227, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
         const V _s255 = lanes_add(lanes_add(_s227, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
-        const V _s265 = lanes_mul(p_ball_radius, p_gravity);
-        const V _s302 = lanes_neg(p_board_half_width);
-        const V _s303 = lanes_max(K(0.0), _s302);
-        const V _s304 = lanes_max(_s303, _s302);
-        const V _s306 = lanes_neg(_s47);
+        const V _s261 = lanes_mul(p_ball_radius, p_gravity);
+        const V _s296 = lanes_neg(p_board_half_width);
+        const V _s297 = lanes_max(K(0.0), _s296);
+        const V _s298 = lanes_max(_s297, _s296);
+        const V _s300 = lanes_neg(_s47);
+        const V _s301 = lanes_max(K(0.0), _s300);
+        const V _s302 = lanes_max(_s301, p_board_distance);
+        const V _s306 = lanes_neg(p_board_distance);
         const V _s307 = lanes_max(K(0.0), _s306);
-        const V _s308 = lanes_max(_s307, p_board_distance);
-        const V _s312 = lanes_neg(p_board_distance);
-        const V _s313 = lanes_max(K(0.0), _s312);
-        const V _s314 = lanes_max(_s313, p_ring_radius);
-        const V _s316 = lanes_neg(p_bridge_half_width);
-        const V _s317 = lanes_max(K(0.0), _s316);
-        const V _s318 = lanes_max(_s317, _s316);
-        const V _s325 = lanes_mul(p_gravity, p_gravity);
-        const V _s341 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s33, p_board_distance), p_board_half_width), p_board_thickness), p_bridge_half_width), p_bridge_depth), p_end_depth);
-        const V _s345 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
-        const V _s352 = lanes_div(lanes_mul(p_inertia, lanes_add(K(1.0), p_tangential_restitution)), _s217);
-        const V _s361 = lanes_sub(K(1.0), p_ring_restitution);
-        const V _s363 = lanes_add(K(1.0), p_ring_restitution);
-        const V _s370 = lanes_sub(K(1.0), p_backboard_restitution);
-        const V _s372 = lanes_add(K(1.0), p_backboard_restitution);
-        const V _s377 = lanes_sub(K(1.0), p_bridge_restitution);
-        const V _s379 = lanes_add(K(1.0), p_bridge_restitution);
+        const V _s308 = lanes_max(_s307, p_ring_radius);
+        const V _s310 = lanes_neg(p_bridge_half_width);
+        const V _s311 = lanes_max(K(0.0), _s310);
+        const V _s312 = lanes_max(_s311, _s310);
+        const V _s319 = lanes_mul(p_gravity, p_gravity);
+        const V _s335 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s33, p_board_distance), p_board_half_width), p_board_thickness), p_bridge_half_width), p_bridge_depth), p_end_depth);
+        const V _s339 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+        const V _s346 = lanes_div(lanes_mul(p_inertia, lanes_add(K(1.0), p_tangential_restitution)), _s217);
         FIX(0, lanes_add(lanes_add(lanes_add(lanes_add(_s23, lanes_abs(p_board_thickness)), lanes_abs(p_bridge_half_width)), lanes_abs(p_bridge_depth)), lanes_abs(p_end_depth)));
         FIX(1, _s33); FIX(2, lanes_neg(_s36)); FIX(3, _s38); FIX(4, lanes_neg(_s41)); FIX(5, _s44);
         FIX(6, p_ball_radius); FIX(7, p_ring_radius); FIX(8, p_wire_radius);
@@ -902,48 +893,38 @@ static void LOOP(fix)(LOOP(worklist) *worklist)
         FIX(119, lanes_neg(_s240)); FIX(120, _s245); FIX(121, lanes_neg(_s245)); FIX(122, _s248);
         FIX(123, lanes_neg(_s248)); FIX(124, _s255); FIX(125, lanes_neg(_s255)); FIX(126, _s218);
         FIX(127, lanes_mul(p_gravity, _s218)); FIX(128, lanes_mul(K(0.015625), p_gravity));
-        FIX(129, lanes_mul(p_backboard_friction, p_backboard_friction));
-        FIX(130, lanes_mul(p_bridge_friction, p_bridge_friction));
-        FIX(131, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(_s265)));
-        FIX(132, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(133, _s45);
-        FIX(134, p_bridge_depth); FIX(135, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
-        FIX(136, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
-        FIX(137, lanes_mul(p_ring_radius, _s218)); FIX(138, _s39);
-        FIX(139, lanes_mul(K(0.3333333333333333), p_ring_radius));
-        FIX(140, lanes_mul(K(0.25), p_ring_radius)); FIX(141, lanes_mul(K(0.2), p_ring_radius));
-        FIX(142, lanes_mul(K(0.16666666666666666), p_ring_radius));
-        FIX(143, lanes_mul(K(0.14285714285714285), p_ring_radius));
-        FIX(144, lanes_mul(K(0.125), p_ring_radius));
-        FIX(145, lanes_mul(K(0.1111111111111111), p_ring_radius));
-        FIX(146, lanes_mul(K(0.1), p_ring_radius));
-        FIX(147, lanes_mul(K(0.09090909090909091), p_ring_radius));
-        FIX(148, lanes_mul(K(0.08333333333333333), p_ring_radius));
-        FIX(149, lanes_mul(p_gravity, lanes_sub(K(3.0), lanes_mul(K(2.0), _s219))));
-        FIX(150, lanes_mul(K(3.0), p_ring_radius)); FIX(151, lanes_mul(K(6.0), p_ring_radius));
-        FIX(152, lanes_mul(_s59, _s219)); FIX(153, lanes_mul(p_ring_friction, p_ring_friction));
-        FIX(154, lanes_sqrt(lanes_add(lanes_mul(_s304, _s304), lanes_mul(_s308, _s308))));
-        FIX(155, lanes_sqrt(lanes_add(lanes_mul(_s314, _s314), lanes_mul(_s318, _s318))));
-        FIX(156, lanes_mul(K(0.000244140625), _s45)); FIX(157, lanes_mul(K(0.00390625), p_gravity));
-        FIX(158, lanes_mul(lanes_mul(K(0.000244140625), _s325), _s45));
-        FIX(159, lanes_mul(K(3.0), p_gravity));
-        FIX(160, lanes_mul(K(2.0), lanes_mul(K(3.0), _s325)));
-        FIX(161, lanes_mul(K(0.0078125), p_gravity)); FIX(162, lanes_max(K(0.0), p_gravity));
-        FIX(163, lanes_mul(K(8.0), _s57)); FIX(164, lanes_add(lanes_add(_s341, _s11), _s12));
-        FIX(165, lanes_div(K(1.0), lanes_min(_s345, _s45))); FIX(166, p_restitution_speed);
-        FIX(167, _s352); FIX(168, lanes_mul(_s352, _s352));
-        FIX(169, lanes_mul(p_ball_radius, p_inertia));
-        FIX(170, lanes_mul(K(1.52587890625e-05), _s265));
-        FIX(171, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        FIX(172, lanes_mul(K(1.1920928955078125e-07), p_ball_radius)); FIX(173, p_ring_restitution);
-        FIX(174, _s361); FIX(175, lanes_mul(_s361, _s361));
-        FIX(176, lanes_mul(p_ring_friction, _s363)); FIX(177, lanes_mul(_s363, _s361));
-        FIX(178, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        FIX(179, lanes_mul(_s219, _s361)); FIX(180, p_backboard_restitution); FIX(181, _s370);
-        FIX(182, lanes_mul(_s370, _s370)); FIX(183, lanes_mul(p_backboard_friction, _s372));
-        FIX(184, lanes_mul(_s372, _s370)); FIX(185, lanes_mul(_s219, _s370));
-        FIX(186, p_bridge_restitution); FIX(187, _s377); FIX(188, lanes_mul(_s377, _s377));
-        FIX(189, lanes_mul(p_bridge_friction, _s379)); FIX(190, lanes_mul(_s379, _s377));
-        FIX(191, lanes_mul(_s219, _s377));
+        FIX(129, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(_s261)));
+        FIX(130, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(131, _s45);
+        FIX(132, p_bridge_depth); FIX(133, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
+        FIX(134, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
+        FIX(135, lanes_mul(p_ring_radius, _s218)); FIX(136, _s39);
+        FIX(137, lanes_mul(K(0.3333333333333333), p_ring_radius));
+        FIX(138, lanes_mul(K(0.25), p_ring_radius)); FIX(139, lanes_mul(K(0.2), p_ring_radius));
+        FIX(140, lanes_mul(K(0.16666666666666666), p_ring_radius));
+        FIX(141, lanes_mul(K(0.14285714285714285), p_ring_radius));
+        FIX(142, lanes_mul(K(0.125), p_ring_radius));
+        FIX(143, lanes_mul(K(0.1111111111111111), p_ring_radius));
+        FIX(144, lanes_mul(K(0.1), p_ring_radius));
+        FIX(145, lanes_mul(K(0.09090909090909091), p_ring_radius));
+        FIX(146, lanes_mul(K(0.08333333333333333), p_ring_radius));
+        FIX(147, lanes_mul(p_gravity, lanes_sub(K(3.0), lanes_mul(K(2.0), _s219))));
+        FIX(148, lanes_mul(K(3.0), p_ring_radius)); FIX(149, lanes_mul(K(6.0), p_ring_radius));
+        FIX(150, lanes_mul(_s59, _s219));
+        FIX(151, lanes_sqrt(lanes_add(lanes_mul(_s298, _s298), lanes_mul(_s302, _s302))));
+        FIX(152, lanes_sqrt(lanes_add(lanes_mul(_s308, _s308), lanes_mul(_s312, _s312))));
+        FIX(153, lanes_mul(K(0.000244140625), _s45)); FIX(154, lanes_mul(K(0.00390625), p_gravity));
+        FIX(155, lanes_mul(lanes_mul(K(0.000244140625), _s319), _s45));
+        FIX(156, lanes_mul(K(3.0), p_gravity));
+        FIX(157, lanes_mul(K(2.0), lanes_mul(K(3.0), _s319)));
+        FIX(158, lanes_mul(K(0.0078125), p_gravity)); FIX(159, lanes_max(K(0.0), p_gravity));
+        FIX(160, lanes_mul(K(8.0), _s57)); FIX(161, lanes_add(lanes_add(_s335, _s11), _s12));
+        FIX(162, lanes_div(K(1.0), lanes_min(_s339, _s45))); FIX(163, p_restitution_speed);
+        FIX(164, _s346); FIX(165, lanes_mul(_s346, _s346));
+        FIX(166, lanes_mul(p_ball_radius, p_inertia));
+        FIX(167, lanes_mul(K(1.52587890625e-05), _s261));
+        FIX(168, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        FIX(169, lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
+        FIX(170, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
     }
     {
         const S _p_ball_radius = lanes_narrow(p_ball_radius);
@@ -1606,11 +1587,9 @@ LANES_APART void LOOP(fix_in_contact_rolling_rows_1)(LOOP(worklist) *worklist, s
     EACH(PARAMETER_TAKEN, in_contact_rolling_, p_board_half_width, p_board_thickness, p_board_top)
     EACH(PARAMETER_TAKEN, in_contact_rolling_, p_bridge_depth, p_bridge_half_width, p_end_depth)
     EACH(PARAMETER_TAKEN, in_contact_rolling_, p_gravity, p_inertia, p_ring_radius, p_wire_radius)
-    BOUNDS(EACH(PARAMETER_TAKEN, in_contact_rolling_, p_backboard_friction, p_bridge_friction))
     EACH(TURNING, turning_, p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width)
     EACH(TURNING, turning_, p_board_thickness, p_board_top, p_bridge_depth, p_bridge_half_width)
     EACH(TURNING, turning_, p_end_depth, p_gravity, p_inertia, p_ring_radius, p_wire_radius)
-    BOUNDS(EACH(TURNING, turning_, p_backboard_friction, p_bridge_friction))
     {
         const V _s218 = lanes_div(K(1.0), lanes_add(K(1.0), p_inertia));
         const V _s227 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
@@ -1633,16 +1612,12 @@ LANES_APART void LOOP(fix_in_contact_rolling_rows_1)(LOOP(worklist) *worklist, s
         FIX(119, lanes_neg(_s240)); FIX(120, _s245); FIX(121, lanes_neg(_s245)); FIX(122, _s248);
         FIX(123, lanes_neg(_s248)); FIX(124, _s255); FIX(125, lanes_neg(_s255)); FIX(126, _s218);
         FIX(127, lanes_mul(p_gravity, _s218)); FIX(128, lanes_mul(K(0.015625), p_gravity));
+        FIX(129, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
+        FIX(130, lanes_mul(K(5.684341886080802e-14), p_gravity));
+        FIX(131, lanes_add(p_ball_radius, p_wire_radius)); FIX(132, p_bridge_depth);
 #if BOUNDED
-        FIX(129, lanes_mul(p_backboard_friction, p_backboard_friction));
-        FIX(130, lanes_mul(p_bridge_friction, p_bridge_friction));
-#endif
-        FIX(131, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
-        FIX(132, lanes_mul(K(5.684341886080802e-14), p_gravity));
-        FIX(133, lanes_add(p_ball_radius, p_wire_radius)); FIX(134, p_bridge_depth);
-#if BOUNDED
-        FIX(135, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
-        FIX(136, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
+        FIX(133, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
+        FIX(134, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
 #endif
     }
 }
@@ -1653,28 +1628,26 @@ LANES_APART void LOOP(fix_in_contact_circling_rows_1)(LOOP(worklist) *worklist, 
     EACH(PARAMETER_TAKEN, in_contact_circling_, p_board_half_width, p_board_thickness, p_board_top)
     EACH(PARAMETER_TAKEN, in_contact_circling_, p_bridge_depth, p_bridge_half_width, p_end_depth)
     EACH(PARAMETER_TAKEN, in_contact_circling_, p_gravity, p_inertia, p_ring_radius, p_wire_radius)
-    BOUNDS(EACH(PARAMETER_TAKEN, in_contact_circling_, p_ring_friction))
     EACH(TURNING, turning_, p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width)
     EACH(TURNING, turning_, p_board_thickness, p_board_top, p_bridge_depth, p_bridge_half_width)
     EACH(TURNING, turning_, p_end_depth, p_gravity, p_inertia, p_ring_radius, p_wire_radius)
-    BOUNDS(EACH(TURNING, turning_, p_ring_friction))
     {
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
         const V _s47 = lanes_add(p_board_distance, p_board_thickness);
         const V _s218 = lanes_div(K(1.0), lanes_add(K(1.0), p_inertia));
         const V _s219 = lanes_mul(p_inertia, _s218);
-        const V _s302 = lanes_neg(p_board_half_width);
-        const V _s303 = lanes_max(K(0.0), _s302);
-        const V _s304 = lanes_max(_s303, _s302);
-        const V _s306 = lanes_neg(_s47);
+        const V _s296 = lanes_neg(p_board_half_width);
+        const V _s297 = lanes_max(K(0.0), _s296);
+        const V _s298 = lanes_max(_s297, _s296);
+        const V _s300 = lanes_neg(_s47);
+        const V _s301 = lanes_max(K(0.0), _s300);
+        const V _s302 = lanes_max(_s301, p_board_distance);
+        const V _s306 = lanes_neg(p_board_distance);
         const V _s307 = lanes_max(K(0.0), _s306);
-        const V _s308 = lanes_max(_s307, p_board_distance);
-        const V _s312 = lanes_neg(p_board_distance);
-        const V _s313 = lanes_max(K(0.0), _s312);
-        const V _s314 = lanes_max(_s313, p_ring_radius);
-        const V _s316 = lanes_neg(p_bridge_half_width);
-        const V _s317 = lanes_max(K(0.0), _s316);
-        const V _s318 = lanes_max(_s317, _s316);
+        const V _s308 = lanes_max(_s307, p_ring_radius);
+        const V _s310 = lanes_neg(p_bridge_half_width);
+        const V _s311 = lanes_max(K(0.0), _s310);
+        const V _s312 = lanes_max(_s311, _s310);
         FIX(6, p_ball_radius); FIX(7, p_ring_radius); FIX(8, p_wire_radius);
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(13, p_bridge_half_width); FIX(15, _s47);
@@ -1684,32 +1657,29 @@ LANES_APART void LOOP(fix_in_contact_circling_rows_1)(LOOP(worklist) *worklist, 
         FIX(110, lanes_div(K(1.0), p_ball_radius));
         FIX(111, lanes_mul(K(3.637978807091713e-12), p_ball_radius)); FIX(126, _s218);
         FIX(128, lanes_mul(K(0.015625), p_gravity));
-        FIX(131, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
-        FIX(132, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(133, _s45);
+        FIX(129, lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity))));
+        FIX(130, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(131, _s45);
 #if BOUNDED
-        FIX(135, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
-        FIX(136, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
+        FIX(133, lanes_mul(K(1.1102230246251565e-16), p_ball_radius));
+        FIX(134, lanes_mul(K(2.384185791015625e-07), p_ball_radius));
 #endif
-        FIX(137, lanes_mul(p_ring_radius, _s218)); FIX(138, lanes_mul(K(0.5), p_ring_radius));
-        FIX(139, lanes_mul(K(0.3333333333333333), p_ring_radius));
-        FIX(140, lanes_mul(K(0.25), p_ring_radius)); FIX(141, lanes_mul(K(0.2), p_ring_radius));
-        FIX(142, lanes_mul(K(0.16666666666666666), p_ring_radius));
-        FIX(143, lanes_mul(K(0.14285714285714285), p_ring_radius));
-        FIX(144, lanes_mul(K(0.125), p_ring_radius));
-        FIX(145, lanes_mul(K(0.1111111111111111), p_ring_radius));
-        FIX(146, lanes_mul(K(0.1), p_ring_radius));
-        FIX(147, lanes_mul(K(0.09090909090909091), p_ring_radius));
-        FIX(148, lanes_mul(K(0.08333333333333333), p_ring_radius));
-        FIX(149, lanes_mul(p_gravity, lanes_sub(K(3.0), lanes_mul(K(2.0), _s219))));
-        FIX(150, lanes_mul(K(3.0), p_ring_radius)); FIX(151, lanes_mul(K(6.0), p_ring_radius));
-        FIX(152, lanes_mul(lanes_mul(K(2.0), p_gravity), _s219));
-#if BOUNDED
-        FIX(153, lanes_mul(p_ring_friction, p_ring_friction));
-#endif
-        FIX(154, lanes_sqrt(lanes_add(lanes_mul(_s304, _s304), lanes_mul(_s308, _s308))));
-        FIX(155, lanes_sqrt(lanes_add(lanes_mul(_s314, _s314), lanes_mul(_s318, _s318))));
-        FIX(156, lanes_mul(K(0.000244140625), _s45)); FIX(157, lanes_mul(K(0.00390625), p_gravity));
-        FIX(158, lanes_mul(lanes_mul(K(0.000244140625), lanes_mul(p_gravity, p_gravity)), _s45));
+        FIX(135, lanes_mul(p_ring_radius, _s218)); FIX(136, lanes_mul(K(0.5), p_ring_radius));
+        FIX(137, lanes_mul(K(0.3333333333333333), p_ring_radius));
+        FIX(138, lanes_mul(K(0.25), p_ring_radius)); FIX(139, lanes_mul(K(0.2), p_ring_radius));
+        FIX(140, lanes_mul(K(0.16666666666666666), p_ring_radius));
+        FIX(141, lanes_mul(K(0.14285714285714285), p_ring_radius));
+        FIX(142, lanes_mul(K(0.125), p_ring_radius));
+        FIX(143, lanes_mul(K(0.1111111111111111), p_ring_radius));
+        FIX(144, lanes_mul(K(0.1), p_ring_radius));
+        FIX(145, lanes_mul(K(0.09090909090909091), p_ring_radius));
+        FIX(146, lanes_mul(K(0.08333333333333333), p_ring_radius));
+        FIX(147, lanes_mul(p_gravity, lanes_sub(K(3.0), lanes_mul(K(2.0), _s219))));
+        FIX(148, lanes_mul(K(3.0), p_ring_radius)); FIX(149, lanes_mul(K(6.0), p_ring_radius));
+        FIX(150, lanes_mul(lanes_mul(K(2.0), p_gravity), _s219));
+        FIX(151, lanes_sqrt(lanes_add(lanes_mul(_s298, _s298), lanes_mul(_s302, _s302))));
+        FIX(152, lanes_sqrt(lanes_add(lanes_mul(_s308, _s308), lanes_mul(_s312, _s312))));
+        FIX(153, lanes_mul(K(0.000244140625), _s45)); FIX(154, lanes_mul(K(0.00390625), p_gravity));
+        FIX(155, lanes_mul(lanes_mul(K(0.000244140625), lanes_mul(p_gravity, p_gravity)), _s45));
     }
 }
 
@@ -1739,10 +1709,10 @@ LANES_APART void LOOP(fix_in_contact_leaves_rows_1)(LOOP(worklist) *worklist, si
         FIX(116, _s235); FIX(117, lanes_neg(_s235)); FIX(118, _s240); FIX(119, lanes_neg(_s240));
         FIX(120, _s245); FIX(121, lanes_neg(_s245)); FIX(122, _s248); FIX(123, lanes_neg(_s248));
         FIX(124, _s255); FIX(125, lanes_neg(_s255));
-        FIX(132, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(133, _s45);
-        FIX(134, p_bridge_depth); FIX(159, lanes_mul(K(3.0), p_gravity));
-        FIX(160, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
-        FIX(161, lanes_mul(K(0.0078125), p_gravity)); FIX(162, lanes_max(K(0.0), p_gravity));
+        FIX(130, lanes_mul(K(5.684341886080802e-14), p_gravity)); FIX(131, _s45);
+        FIX(132, p_bridge_depth); FIX(156, lanes_mul(K(3.0), p_gravity));
+        FIX(157, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
+        FIX(158, lanes_mul(K(0.0078125), p_gravity)); FIX(159, lanes_max(K(0.0), p_gravity));
     }
 }
 
@@ -1768,7 +1738,7 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         if (lanes_any(_if_here_1)) {
             CALL(court_ring_rolling_surface, _ring_rolling_surface_1)(FIXED(107));
             EACH(SELECT, (_if_here_1, _ring_rolling_surface_1), per_reach)
-            CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(159), FIXED(160));
+            CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(156), FIXED(157));
             EACH(SELECT, (_if_here_1, _ring_separation_1), lift, gap_jerk, gap_snap)
         }
         CALL(court_holding, _holding_2)(K(1.0), held);
@@ -1795,9 +1765,9 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         EACH(GET_MASK, _beside_1, beside)
         const M _if_beside_1 = lanes_both(rows, beside);
         if (lanes_any(_if_beside_1)) {
-            CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(41), FIXED(133));
+            CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(41), FIXED(131));
             EACH(GET, _ring_beside_1, gap, nearing, gap_curvature)
-            CALL(court_neighbour_free_time, _neighbour_free_time_1)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(161));
+            CALL(court_neighbour_free_time, _neighbour_free_time_1)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(158));
             EACH(SELECT, (_if_beside_1, _neighbour_free_time_1), free_time)
         }
         CALL(court_beside, _beside_2)(K(1.0), held);
@@ -1806,7 +1776,7 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         if (lanes_any(_if_beside_2)) {
             CALL(court_backboard_beside, _backboard_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
             EACH(GET, _backboard_beside_1, gap, nearing, gap_curvature)
-            CALL(court_neighbour_free_time, _neighbour_free_time_2)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(161));
+            CALL(court_neighbour_free_time, _neighbour_free_time_2)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(158));
             EACH(SELECT, (_if_beside_2, _neighbour_free_time_2), free_time)
         }
         CALL(court_beside, _beside_3)(K(2.0), held);
@@ -1815,12 +1785,12 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         if (lanes_any(_if_beside_3)) {
             CALL(court_bridge_beside, _bridge_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
             EACH(GET, _bridge_beside_1, gap, nearing, gap_curvature)
-            CALL(court_neighbour_free_time, _neighbour_free_time_3)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(161));
+            CALL(court_neighbour_free_time, _neighbour_free_time_3)(vx, vy, vz, gap, free_time, nearing, gap_curvature, FIXED(21), FIXED(158));
             EACH(SELECT, (_if_beside_3, _neighbour_free_time_3), free_time)
         }
         CALL(court_end_beside, _end_beside_1)(z, vz, FIXED(18));
         EACH(GET, _end_beside_1, gap, nearing, gap_curvature)
-        CALL(court_end_plane_free_time, _end_plane_free_time_1)(vx, vy, vz, gap, OR_INFINITE(undecided_time), free_time, nearing, gap_curvature, FIXED(21), FIXED(161));
+        CALL(court_end_plane_free_time, _end_plane_free_time_1)(vx, vy, vz, gap, OR_INFINITE(undecided_time), free_time, nearing, gap_curvature, FIXED(21), FIXED(158));
         EACH(SET, _end_plane_free_time_1, free_time)
         BOUNDS(EACH(SET, _end_plane_free_time_1, undecided_time))
         CALL(court_holding, _holding_4)(K(1.0), held);
@@ -1829,27 +1799,27 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         if (lanes_any(_if_here_4)) {
             CALL(court_backboard_seam0, _backboard_seam0_1)(x, vx, FIXED(15), FIXED(114));
             EACH(GET, _backboard_seam0_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_1)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_1)(gap, free_time, near, nearing, FIXED(22), FIXED(159));
             EACH(SELECT, (_if_here_4, _seam_free_time_1), free_time)
             CALL(court_backboard_seam1, _backboard_seam1_1)(x, vx, FIXED(9), FIXED(114));
             EACH(SET, _backboard_seam1_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_2)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_2)(gap, free_time, near, nearing, FIXED(22), FIXED(159));
             EACH(SELECT, (_if_here_4, _seam_free_time_2), free_time)
             CALL(court_backboard_seam2, _backboard_seam2_1)(y, vy, FIXED(10), FIXED(116));
             EACH(SET, _backboard_seam2_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_3)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_3)(gap, free_time, near, nearing, FIXED(22), FIXED(159));
             EACH(SELECT, (_if_here_4, _seam_free_time_3), free_time)
             CALL(court_backboard_seam3, _backboard_seam3_1)(y, vy, FIXED(10), FIXED(116));
             EACH(SET, _backboard_seam3_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_4)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_4)(gap, free_time, near, nearing, FIXED(22), FIXED(159));
             EACH(SELECT, (_if_here_4, _seam_free_time_4), free_time)
             CALL(court_backboard_seam4, _backboard_seam4_1)(z, vz, FIXED(11), FIXED(118));
             EACH(SET, _backboard_seam4_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_5)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_5)(gap, free_time, near, nearing, FIXED(22), FIXED(159));
             EACH(SELECT, (_if_here_4, _seam_free_time_5), free_time)
             CALL(court_backboard_seam5, _backboard_seam5_1)(z, vz, FIXED(12), FIXED(118));
             EACH(SET, _backboard_seam5_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_6)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_6)(gap, free_time, near, nearing, FIXED(22), FIXED(159));
             EACH(SELECT, (_if_here_4, _seam_free_time_6), free_time)
         }
         CALL(court_holding, _holding_5)(K(2.0), held);
@@ -1858,30 +1828,30 @@ LANES_APART void LOOP(leaves)(LOOP(worklist) *worklist, size_t in_contact_leaves
         if (lanes_any(_if_here_5)) {
             CALL(court_bridge_seam0, _bridge_seam0_1)(x, vx, FIXED(9), FIXED(120));
             EACH(GET, _bridge_seam0_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_7)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_7)(gap, free_time, near, nearing, FIXED(22), FIXED(159));
             EACH(SELECT, (_if_here_5, _seam_free_time_7), free_time)
             CALL(court_bridge_seam1, _bridge_seam1_1)(x, vx, FIXED(7), FIXED(120));
             EACH(SET, _bridge_seam1_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_8)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_8)(gap, free_time, near, nearing, FIXED(22), FIXED(159));
             EACH(SELECT, (_if_here_5, _seam_free_time_8), free_time)
             CALL(court_bridge_seam2, _bridge_seam2_1)(y, vy, FIXED(13), FIXED(122));
             EACH(SET, _bridge_seam2_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_9)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_9)(gap, free_time, near, nearing, FIXED(22), FIXED(159));
             EACH(SELECT, (_if_here_5, _seam_free_time_9), free_time)
             CALL(court_bridge_seam3, _bridge_seam3_1)(y, vy, FIXED(13), FIXED(122));
             EACH(SET, _bridge_seam3_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_10)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_10)(gap, free_time, near, nearing, FIXED(22), FIXED(159));
             EACH(SELECT, (_if_here_5, _seam_free_time_10), free_time)
-            CALL(court_bridge_seam4, _bridge_seam4_1)(z, vz, FIXED(134), FIXED(8), FIXED(124));
+            CALL(court_bridge_seam4, _bridge_seam4_1)(z, vz, FIXED(132), FIXED(8), FIXED(124));
             EACH(SET, _bridge_seam4_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_11)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_11)(gap, free_time, near, nearing, FIXED(22), FIXED(159));
             EACH(SELECT, (_if_here_5, _seam_free_time_11), free_time)
             CALL(court_bridge_seam5, _bridge_seam5_1)(z, vz, FIXED(8), FIXED(124));
             EACH(SET, _bridge_seam5_1, gap, nearing, near)
-            CALL(court_seam_free_time, _seam_free_time_12)(gap, free_time, near, nearing, FIXED(22), FIXED(162));
+            CALL(court_seam_free_time, _seam_free_time_12)(gap, free_time, near, nearing, FIXED(22), FIXED(159));
             EACH(SELECT, (_if_here_5, _seam_free_time_12), free_time)
         }
-        CALL(court_separated, _separated_1)(vx, vy, vz, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), clock, time_limit, per_reach, free_time, lift, gap_jerk, gap_snap, FIXED(21), FIXED(161), FIXED(132));
+        CALL(court_separated, _separated_1)(vx, vy, vz, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), clock, time_limit, per_reach, free_time, lift, gap_jerk, gap_snap, FIXED(21), FIXED(158), FIXED(130));
         EACH(GET, _separated_1, when)
         BOUNDS(EACH(SET, _separated_1, undecided_time))
         CALL(court_detachment, _detachment_1)();
@@ -2045,12 +2015,19 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
                 EACH(EXPAND, in_contact_rolling_, row, bent_x, bent_y, bent_z, clock, held, nx, ny)
                 EACH(EXPAND, in_contact_rolling_, nz, per_reach, through, vx, vy, vz, which, wx, wy)
                 EACH(EXPAND, in_contact_rolling_, wz, x, y, z)
-                BOUNDS(EACH(EXPAND, in_contact_rolling_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy))
-                BOUNDS(EACH(EXPAND, in_contact_rolling_, dz, earliest_delay, estimated, grip_lost))
-                BOUNDS(EACH(EXPAND, in_contact_rolling_, last_grip_clock, last_grip_deficit))
-                BOUNDS(EACH(EXPAND, in_contact_rolling_, last_grip_deficit_rate, undecided_time))
-                BOUNDS(EACH(EXPAND_SINGLE, in_contact_rolling_, clock_bound, position_bound, spin_bound))
-                BOUNDS(EACH(EXPAND_SINGLE, in_contact_rolling_, velocity_bound))
+#if BOUNDED
+                EACH(EXPAND, in_contact_rolling_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy)
+                EACH(EXPAND, in_contact_rolling_, dz, earliest_delay, estimated, grip_lost)
+                EACH(EXPAND, in_contact_rolling_, last_grip_clock, last_grip_deficit)
+                EACH(EXPAND, in_contact_rolling_, last_grip_deficit_rate, undecided_time)
+                EACH(EXPAND_SINGLE, in_contact_rolling_, clock_bound, position_bound, spin_bound)
+                EACH(EXPAND_SINGLE, in_contact_rolling_, velocity_bound)
+                if (varying) {
+                    for (size_t _p = 0; _p < 15; _p++) {
+                        lanes_store(worklist->turning_parameters.columns[in_contact_rolling_taken[_p]], lanes_expand(worklist->in_contact_rolling_parameters.columns[in_contact_rolling_taken[_p]] + taken, idle, lanes_load(worklist->turning_parameters.columns[in_contact_rolling_taken[_p]])));
+                    }
+                }
+#endif
                 if (LANES_SELDOM(varying))
                     LOOP(fix_in_contact_rolling_rows_1)(worklist, taken, idle);
                 const size_t room = LANES_WIDTH - busy;
@@ -2119,21 +2096,27 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             CALL(court_ring_friction, _ring_friction_1)(nx_0, nx_1, ny_0, ny_1, nz_0, nz_1, turn_rate_0, turn_rate_1, tx_0, tx_1, ty_0, ty_1, tz_0, tz_1, FIXED(21), FIXED(109));
             EACH(GET, _ring_friction_1, rolling_friction, rolling_friction_rate, grip_deficit)
             EACH(GET, _ring_friction_1, grip_deficit_rate)
-            CALL(court_holding, _holding_3)(K(1.0), held);
-            EACH(SET, _holding_3, here)
-            const M _if_here_3 = lanes_both(active, here);
             {
-                CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_1)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(129));
-                EACH(SELECT, (_if_here_3, _ring_impact_grip_deficit_1), grip_deficit)
-                EACH(SELECT, (_if_here_3, _ring_impact_grip_deficit_1), grip_deficit_rate)
-            }
-            CALL(court_holding, _holding_4)(K(2.0), held);
-            EACH(SET, _holding_4, here)
-            const M _if_here_4 = lanes_both(active, here);
-            {
-                CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_2)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(130));
-                EACH(SELECT, (_if_here_4, _ring_impact_grip_deficit_2), grip_deficit)
-                EACH(SELECT, (_if_here_4, _ring_impact_grip_deficit_2), grip_deficit_rate)
+                static const int _t1[][1] = {
+                    {16},
+                    {17},
+                };
+                static const double _t2[][1] = {
+                    {1.0},
+                    {2.0},
+                };
+                for (size_t _k1 = 0; _k1 < 2; _k1++) {
+                    const V own_1 = lanes_load(varying ? worklist->turning_parameters.columns[_t1[_k1][0]] : worklist->parameters.columns[_t1[_k1][0]]);
+                    const V own_index = K(_t2[_k1][0]);
+                    CALL(court_holding, _holding_3)(own_index, held);
+                    EACH(GET_MASK, _holding_3, here)
+                    const M _if_here_3 = lanes_both(active, here);
+                    {
+                        CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_1)(own_1, rolling_friction, rolling_friction_rate, force, force_rate);
+                        EACH(SELECT, (_if_here_3, _ring_impact_grip_deficit_1), grip_deficit)
+                        EACH(SELECT, (_if_here_3, _ring_impact_grip_deficit_1), grip_deficit_rate)
+                    }
+                }
             }
             CALL(court_exceeds_grip, _exceeds_grip_1)(grip_deficit, grip_lost);
             EACH(GET_MASK, _exceeds_grip_1, loses)
@@ -2146,7 +2129,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _remember_grip_deficit_1, last_grip_deficit, last_grip_deficit_rate)
             EACH(SET, _remember_grip_deficit_1, last_grip_clock)
 #endif
-            CALL(court_leaving_force, _leaving_force_1)(vx, vx_1, vy, vy_1, vz, vz_1, which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest, FIXED(21), FIXED(131), FIXED(132));
+            CALL(court_leaving_force, _leaving_force_1)(vx, vx_1, vy, vy_1, vz, vz_1, which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest, FIXED(21), FIXED(129), FIXED(130));
             EACH(SET, _leaving_force_1, stride, which)
             EACH(GET_MASK, _leaving_force_1, rests)
             BOUNDS(EACH(SET, _leaving_force_1, undecided_time))
@@ -2154,7 +2137,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(GET_MASK, _beside_1, beside)
             const M _if_beside_1 = lanes_both(active, beside);
             if (lanes_any(_if_beside_1)) {
-                CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(41), FIXED(133));
+                CALL(court_ring_beside, _ring_beside_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(7), FIXED(8), FIXED(41), FIXED(131));
                 EACH(GET, _ring_beside_1, gap, nearing, gap_curvature)
                 CALL(court_beside_body, _beside_body_1)(x, y, z, gap, K(0.0), which, OR_ZERO(earliest_delay), OR_INFINITE(undecided_time), OR_ZERO(position_error), nearing, gap_curvature, stride, strongest, fastest, FIXED(6), FIXED(111));
                 EACH(SELECT, (_if_beside_1, _beside_body_1), stride, which)
@@ -2186,181 +2169,163 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _beside_end_plane_1, stride, which)
 #if BOUNDED
             EACH(SET, _beside_end_plane_1, undecided_time, earliest_delay)
-            CALL(court_holding, _holding_5)(K(1.0), held);
-            EACH(SET, _holding_5, here)
-            const M _if_here_5 = lanes_both(active, here);
-            if (lanes_any(_if_here_5)) {
 #else
             CALL(court_holding, _holding_3)(K(1.0), held);
             EACH(SET, _holding_3, here)
             const M _if_here_3 = lanes_both(active, here);
             if (lanes_any(_if_here_3)) {
-#endif
                 CALL(court_backboard_seam0, _backboard_seam0_1)(x, vx, FIXED(15), FIXED(114));
-#if BOUNDED
-                EACH(SELECT, (_if_here_5, _backboard_seam0_1), gap)
-#else
                 EACH(SELECT, (_if_here_3, _backboard_seam0_1), gap)
-#endif
                 EACH(GET, _backboard_seam0_1, nearing, near)
                 CALL(court_beside_seam, _beside_seam_1)(gap, near, nearing, stride, strongest, fastest);
-#if BOUNDED
-                EACH(SELECT, (_if_here_5, _beside_seam_1), stride)
-#else
                 EACH(SELECT, (_if_here_3, _beside_seam_1), stride)
-#endif
                 CALL(court_backboard_seam1, _backboard_seam1_1)(x, vx, FIXED(9), FIXED(114));
-#if BOUNDED
-                EACH(SELECT, (_if_here_5, _backboard_seam1_1), gap)
-#else
                 EACH(SELECT, (_if_here_3, _backboard_seam1_1), gap)
-#endif
                 EACH(SET, _backboard_seam1_1, nearing, near)
                 CALL(court_beside_seam, _beside_seam_2)(gap, near, nearing, stride, strongest, fastest);
-#if BOUNDED
-                EACH(SELECT, (_if_here_5, _beside_seam_2), stride)
-#else
                 EACH(SELECT, (_if_here_3, _beside_seam_2), stride)
-#endif
                 CALL(court_backboard_seam2, _backboard_seam2_1)(y, vy, FIXED(10), FIXED(116));
-#if BOUNDED
-                EACH(SELECT, (_if_here_5, _backboard_seam2_1), gap)
-#else
                 EACH(SELECT, (_if_here_3, _backboard_seam2_1), gap)
-#endif
                 EACH(SET, _backboard_seam2_1, nearing, near)
                 CALL(court_beside_seam, _beside_seam_3)(gap, near, nearing, stride, strongest, fastest);
-#if BOUNDED
-                EACH(SELECT, (_if_here_5, _beside_seam_3), stride)
-#else
                 EACH(SELECT, (_if_here_3, _beside_seam_3), stride)
-#endif
                 CALL(court_backboard_seam3, _backboard_seam3_1)(y, vy, FIXED(10), FIXED(116));
-#if BOUNDED
-                EACH(SELECT, (_if_here_5, _backboard_seam3_1), gap)
-#else
                 EACH(SELECT, (_if_here_3, _backboard_seam3_1), gap)
-#endif
                 EACH(SET, _backboard_seam3_1, nearing, near)
                 CALL(court_beside_seam, _beside_seam_4)(gap, near, nearing, stride, strongest, fastest);
-#if BOUNDED
-                EACH(SELECT, (_if_here_5, _beside_seam_4), stride)
-#else
                 EACH(SELECT, (_if_here_3, _beside_seam_4), stride)
-#endif
                 CALL(court_backboard_seam4, _backboard_seam4_1)(z, vz, FIXED(11), FIXED(118));
-#if BOUNDED
-                EACH(SELECT, (_if_here_5, _backboard_seam4_1), gap)
-#else
                 EACH(SELECT, (_if_here_3, _backboard_seam4_1), gap)
-#endif
                 EACH(SET, _backboard_seam4_1, nearing, near)
                 CALL(court_beside_seam, _beside_seam_5)(gap, near, nearing, stride, strongest, fastest);
-#if BOUNDED
-                EACH(SELECT, (_if_here_5, _beside_seam_5), stride)
-#else
                 EACH(SELECT, (_if_here_3, _beside_seam_5), stride)
-#endif
                 CALL(court_backboard_seam5, _backboard_seam5_1)(z, vz, FIXED(12), FIXED(118));
-#if BOUNDED
-                EACH(SELECT, (_if_here_5, _backboard_seam5_1), gap)
-#else
                 EACH(SELECT, (_if_here_3, _backboard_seam5_1), gap)
-#endif
                 EACH(SET, _backboard_seam5_1, nearing, near)
                 CALL(court_beside_seam, _beside_seam_6)(gap, near, nearing, stride, strongest, fastest);
-#if BOUNDED
-                EACH(SELECT, (_if_here_5, _beside_seam_6), stride)
-#else
                 EACH(SELECT, (_if_here_3, _beside_seam_6), stride)
-#endif
             }
+#endif
 #if BOUNDED
-            CALL(court_holding, _holding_6)(K(2.0), held);
-            EACH(SET, _holding_6, here)
-            const M _if_here_6 = lanes_both(active, here);
-            if (lanes_any(_if_here_6)) {
+            CALL(court_holding, _holding_4)(K(1.0), held);
 #else
             CALL(court_holding, _holding_4)(K(2.0), held);
+#endif
             EACH(SET, _holding_4, here)
             const M _if_here_4 = lanes_both(active, here);
             if (lanes_any(_if_here_4)) {
+#if BOUNDED
+                CALL(court_backboard_seam0, _backboard_seam0_1)(x, vx, FIXED(15), FIXED(114));
+                EACH(SELECT, (_if_here_4, _backboard_seam0_1), gap)
+                EACH(GET, _backboard_seam0_1, nearing, near)
+                CALL(court_beside_seam, _beside_seam_1)(gap, near, nearing, stride, strongest, fastest);
+                EACH(SELECT, (_if_here_4, _beside_seam_1), stride)
+                CALL(court_backboard_seam1, _backboard_seam1_1)(x, vx, FIXED(9), FIXED(114));
+                EACH(SELECT, (_if_here_4, _backboard_seam1_1), gap)
+                EACH(SET, _backboard_seam1_1, nearing, near)
+                CALL(court_beside_seam, _beside_seam_2)(gap, near, nearing, stride, strongest, fastest);
+                EACH(SELECT, (_if_here_4, _beside_seam_2), stride)
+                CALL(court_backboard_seam2, _backboard_seam2_1)(y, vy, FIXED(10), FIXED(116));
+                EACH(SELECT, (_if_here_4, _backboard_seam2_1), gap)
+                EACH(SET, _backboard_seam2_1, nearing, near)
+                CALL(court_beside_seam, _beside_seam_3)(gap, near, nearing, stride, strongest, fastest);
+                EACH(SELECT, (_if_here_4, _beside_seam_3), stride)
+                CALL(court_backboard_seam3, _backboard_seam3_1)(y, vy, FIXED(10), FIXED(116));
+                EACH(SELECT, (_if_here_4, _backboard_seam3_1), gap)
+                EACH(SET, _backboard_seam3_1, nearing, near)
+                CALL(court_beside_seam, _beside_seam_4)(gap, near, nearing, stride, strongest, fastest);
+                EACH(SELECT, (_if_here_4, _beside_seam_4), stride)
+                CALL(court_backboard_seam4, _backboard_seam4_1)(z, vz, FIXED(11), FIXED(118));
+                EACH(SELECT, (_if_here_4, _backboard_seam4_1), gap)
+                EACH(SET, _backboard_seam4_1, nearing, near)
+                CALL(court_beside_seam, _beside_seam_5)(gap, near, nearing, stride, strongest, fastest);
+                EACH(SELECT, (_if_here_4, _beside_seam_5), stride)
+                CALL(court_backboard_seam5, _backboard_seam5_1)(z, vz, FIXED(12), FIXED(118));
+                EACH(SELECT, (_if_here_4, _backboard_seam5_1), gap)
+                EACH(SET, _backboard_seam5_1, nearing, near)
+                CALL(court_beside_seam, _beside_seam_6)(gap, near, nearing, stride, strongest, fastest);
+                EACH(SELECT, (_if_here_4, _beside_seam_6), stride)
+            }
+            CALL(court_holding, _holding_5)(K(2.0), held);
+            EACH(SET, _holding_5, here)
+            const M _if_here_5 = lanes_both(active, here);
+            if (lanes_any(_if_here_5)) {
 #endif
                 CALL(court_bridge_seam0, _bridge_seam0_1)(x, vx, FIXED(9), FIXED(120));
 #if BOUNDED
-                EACH(SELECT, (_if_here_6, _bridge_seam0_1), gap)
+                EACH(SELECT, (_if_here_5, _bridge_seam0_1), gap)
 #else
                 EACH(SELECT, (_if_here_4, _bridge_seam0_1), gap)
 #endif
                 EACH(GET, _bridge_seam0_1, nearing, near)
                 CALL(court_beside_seam, _beside_seam_7)(gap, near, nearing, stride, strongest, fastest);
 #if BOUNDED
-                EACH(SELECT, (_if_here_6, _beside_seam_7), stride)
+                EACH(SELECT, (_if_here_5, _beside_seam_7), stride)
 #else
                 EACH(SELECT, (_if_here_4, _beside_seam_7), stride)
 #endif
                 CALL(court_bridge_seam1, _bridge_seam1_1)(x, vx, FIXED(7), FIXED(120));
 #if BOUNDED
-                EACH(SELECT, (_if_here_6, _bridge_seam1_1), gap)
+                EACH(SELECT, (_if_here_5, _bridge_seam1_1), gap)
 #else
                 EACH(SELECT, (_if_here_4, _bridge_seam1_1), gap)
 #endif
                 EACH(SET, _bridge_seam1_1, nearing, near)
                 CALL(court_beside_seam, _beside_seam_8)(gap, near, nearing, stride, strongest, fastest);
 #if BOUNDED
-                EACH(SELECT, (_if_here_6, _beside_seam_8), stride)
+                EACH(SELECT, (_if_here_5, _beside_seam_8), stride)
 #else
                 EACH(SELECT, (_if_here_4, _beside_seam_8), stride)
 #endif
                 CALL(court_bridge_seam2, _bridge_seam2_1)(y, vy, FIXED(13), FIXED(122));
 #if BOUNDED
-                EACH(SELECT, (_if_here_6, _bridge_seam2_1), gap)
+                EACH(SELECT, (_if_here_5, _bridge_seam2_1), gap)
 #else
                 EACH(SELECT, (_if_here_4, _bridge_seam2_1), gap)
 #endif
                 EACH(SET, _bridge_seam2_1, nearing, near)
                 CALL(court_beside_seam, _beside_seam_9)(gap, near, nearing, stride, strongest, fastest);
 #if BOUNDED
-                EACH(SELECT, (_if_here_6, _beside_seam_9), stride)
+                EACH(SELECT, (_if_here_5, _beside_seam_9), stride)
 #else
                 EACH(SELECT, (_if_here_4, _beside_seam_9), stride)
 #endif
                 CALL(court_bridge_seam3, _bridge_seam3_1)(y, vy, FIXED(13), FIXED(122));
 #if BOUNDED
-                EACH(SELECT, (_if_here_6, _bridge_seam3_1), gap)
+                EACH(SELECT, (_if_here_5, _bridge_seam3_1), gap)
 #else
                 EACH(SELECT, (_if_here_4, _bridge_seam3_1), gap)
 #endif
                 EACH(SET, _bridge_seam3_1, nearing, near)
                 CALL(court_beside_seam, _beside_seam_10)(gap, near, nearing, stride, strongest, fastest);
 #if BOUNDED
-                EACH(SELECT, (_if_here_6, _beside_seam_10), stride)
+                EACH(SELECT, (_if_here_5, _beside_seam_10), stride)
 #else
                 EACH(SELECT, (_if_here_4, _beside_seam_10), stride)
 #endif
-                CALL(court_bridge_seam4, _bridge_seam4_1)(z, vz, FIXED(134), FIXED(8), FIXED(124));
+                CALL(court_bridge_seam4, _bridge_seam4_1)(z, vz, FIXED(132), FIXED(8), FIXED(124));
 #if BOUNDED
-                EACH(SELECT, (_if_here_6, _bridge_seam4_1), gap)
+                EACH(SELECT, (_if_here_5, _bridge_seam4_1), gap)
 #else
                 EACH(SELECT, (_if_here_4, _bridge_seam4_1), gap)
 #endif
                 EACH(SET, _bridge_seam4_1, nearing, near)
                 CALL(court_beside_seam, _beside_seam_11)(gap, near, nearing, stride, strongest, fastest);
 #if BOUNDED
-                EACH(SELECT, (_if_here_6, _beside_seam_11), stride)
+                EACH(SELECT, (_if_here_5, _beside_seam_11), stride)
 #else
                 EACH(SELECT, (_if_here_4, _beside_seam_11), stride)
 #endif
                 CALL(court_bridge_seam5, _bridge_seam5_1)(z, vz, FIXED(8), FIXED(124));
 #if BOUNDED
-                EACH(SELECT, (_if_here_6, _bridge_seam5_1), gap)
+                EACH(SELECT, (_if_here_5, _bridge_seam5_1), gap)
 #else
                 EACH(SELECT, (_if_here_4, _bridge_seam5_1), gap)
 #endif
                 EACH(SET, _bridge_seam5_1, nearing, near)
                 CALL(court_beside_seam, _beside_seam_12)(gap, near, nearing, stride, strongest, fastest);
 #if BOUNDED
-                EACH(SELECT, (_if_here_6, _beside_seam_12), stride)
+                EACH(SELECT, (_if_here_5, _beside_seam_12), stride)
 #else
                 EACH(SELECT, (_if_here_4, _beside_seam_12), stride)
 #endif
@@ -2368,7 +2333,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             CALL(court_beside_time, _beside_time_1)(which, clock, time_limit, stride);
             EACH(SET, _beside_time_1, stride, which)
 #if BOUNDED
-            CALL(court_neighbour_scale, _neighbour_scale_1)(dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(135), FIXED(136));
+            CALL(court_neighbour_scale, _neighbour_scale_1)(dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(133), FIXED(134));
             EACH(GET, _neighbour_scale_1, neighbour_scale)
             CALL(court_neighbour, _neighbour_1)(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
             EACH(GET, _neighbour_1, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy)
@@ -2379,50 +2344,45 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             CALL(court_roll_moved, _roll_moved_1)(x, y, z, vx_0, vx_1, vx_2, vx_3, vx_4, vx_5, vx_6, vx_7, vx_8, vy_0, vy_1, vy_2, vy_3, vy_4, vy_5, vy_6, vy_7, vy_8, vz_0, vz_1, vz_2, vz_3, vz_4, vz_5, vz_6, vz_7, vz_8, stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8);
             EACH(SET, _roll_moved_1, x, vx, y, vy, z, vz)
             EACH(GET, _roll_moved_1, turn_rate)
-#if BOUNDED
-            CALL(court_holding, _holding_7)(K(1.0), held);
-            EACH(SET, _holding_7, here)
-            const M _if_here_7 = lanes_both(active, here);
-            if (lanes_any(_if_here_7)) {
-#else
+#if !BOUNDED
             CALL(court_holding, _holding_5)(K(1.0), held);
             EACH(SET, _holding_5, here)
             const M _if_here_5 = lanes_both(active, here);
             if (lanes_any(_if_here_5)) {
-#endif
                 CALL(court_backboard_normal, _backboard_normal_2)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
-#if BOUNDED
-                EACH(SELECT, (_if_here_7, _backboard_normal_2), nx, ny, nz)
-#else
                 EACH(SELECT, (_if_here_5, _backboard_normal_2), nx, ny, nz)
-#endif
                 CALL(court_backboard_distance, _backboard_distance_1)(x, y, z, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
-#if BOUNDED
-                EACH(SELECT, (_if_here_7, _backboard_distance_1), gap)
-#else
                 EACH(SELECT, (_if_here_5, _backboard_distance_1), gap)
-#endif
             }
+#endif
 #if BOUNDED
-            CALL(court_holding, _holding_8)(K(2.0), held);
-            EACH(SET, _holding_8, here)
-            const M _if_here_8 = lanes_both(active, here);
-            if (lanes_any(_if_here_8)) {
+            CALL(court_holding, _holding_6)(K(1.0), held);
 #else
             CALL(court_holding, _holding_6)(K(2.0), held);
+#endif
             EACH(SET, _holding_6, here)
             const M _if_here_6 = lanes_both(active, here);
             if (lanes_any(_if_here_6)) {
+#if BOUNDED
+                CALL(court_backboard_normal, _backboard_normal_2)(x, y, z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
+                EACH(SELECT, (_if_here_6, _backboard_normal_2), nx, ny, nz)
+                CALL(court_backboard_distance, _backboard_distance_1)(x, y, z, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
+                EACH(SELECT, (_if_here_6, _backboard_distance_1), gap)
+            }
+            CALL(court_holding, _holding_7)(K(2.0), held);
+            EACH(SET, _holding_7, here)
+            const M _if_here_7 = lanes_both(active, here);
+            if (lanes_any(_if_here_7)) {
 #endif
                 CALL(court_bridge_normal, _bridge_normal_2)(x, y, z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108));
 #if BOUNDED
-                EACH(SELECT, (_if_here_8, _bridge_normal_2), nx, ny, nz)
+                EACH(SELECT, (_if_here_7, _bridge_normal_2), nx, ny, nz)
 #else
                 EACH(SELECT, (_if_here_6, _bridge_normal_2), nx, ny, nz)
 #endif
                 CALL(court_bridge_distance, _bridge_distance_1)(x, y, z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
 #if BOUNDED
-                EACH(SELECT, (_if_here_8, _bridge_distance_1), gap)
+                EACH(SELECT, (_if_here_7, _bridge_distance_1), gap)
 #else
                 EACH(SELECT, (_if_here_6, _bridge_distance_1), gap)
 #endif
@@ -2432,47 +2392,47 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             CALL(court_passing_in_contact, _passing_in_contact_1)(x, y, z, through, over, FIXED(19));
             EACH(SET, _passing_in_contact_1, through)
 #if BOUNDED
-            CALL(court_holding, _holding_9)(K(1.0), held);
+            CALL(court_holding, _holding_8)(K(1.0), held);
+            EACH(SET, _holding_8, here)
+            const M _if_here_8 = lanes_both(active, here);
+            if (lanes_any(_if_here_8)) {
+                CALL(court_backboard_normal, _backboard_normal_3)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
+                far_nx = lanes_select(_if_here_8, _backboard_normal_3.nx, far_nx);
+                far_ny = lanes_select(_if_here_8, _backboard_normal_3.ny, far_ny);
+                far_nz = lanes_select(_if_here_8, _backboard_normal_3.nz, far_nz);
+            }
+            CALL(court_holding, _holding_9)(K(2.0), held);
             EACH(SET, _holding_9, here)
             const M _if_here_9 = lanes_both(active, here);
             if (lanes_any(_if_here_9)) {
-                CALL(court_backboard_normal, _backboard_normal_3)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
-                far_nx = lanes_select(_if_here_9, _backboard_normal_3.nx, far_nx);
-                far_ny = lanes_select(_if_here_9, _backboard_normal_3.ny, far_ny);
-                far_nz = lanes_select(_if_here_9, _backboard_normal_3.nz, far_nz);
-            }
-            CALL(court_holding, _holding_10)(K(2.0), held);
-            EACH(SET, _holding_10, here)
-            const M _if_here_10 = lanes_both(active, here);
-            if (lanes_any(_if_here_10)) {
                 CALL(court_bridge_normal, _bridge_normal_3)(far_x, far_y, far_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108));
-                far_nx = lanes_select(_if_here_10, _bridge_normal_3.nx, far_nx);
-                far_ny = lanes_select(_if_here_10, _bridge_normal_3.ny, far_ny);
-                far_nz = lanes_select(_if_here_10, _bridge_normal_3.nz, far_nz);
+                far_nx = lanes_select(_if_here_9, _bridge_normal_3.nx, far_nx);
+                far_ny = lanes_select(_if_here_9, _bridge_normal_3.ny, far_ny);
+                far_nz = lanes_select(_if_here_9, _bridge_normal_3.nz, far_nz);
             }
             CALL(court_roll_turn_rate, _roll_turn_rate_1)(far_nx, far_ny, far_nz, far_wx, far_wy, far_wz, FIXED(6));
             EACH(SET, _roll_turn_rate_1, turn_rate)
-            CALL(court_holding, _holding_11)(K(1.0), held);
+            CALL(court_holding, _holding_10)(K(1.0), held);
+            EACH(SET, _holding_10, here)
+            const M _if_here_10 = lanes_both(active, here);
+            if (lanes_any(_if_here_10)) {
+                CALL(court_backboard_normal, _backboard_normal_4)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
+                far_nx = lanes_select(_if_here_10, _backboard_normal_4.nx, far_nx);
+                far_ny = lanes_select(_if_here_10, _backboard_normal_4.ny, far_ny);
+                far_nz = lanes_select(_if_here_10, _backboard_normal_4.nz, far_nz);
+                CALL(court_backboard_distance, _backboard_distance_2)(far_x, far_y, far_z, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
+                far_gap = lanes_select(_if_here_10, _backboard_distance_2.gap, far_gap);
+            }
+            CALL(court_holding, _holding_11)(K(2.0), held);
             EACH(SET, _holding_11, here)
             const M _if_here_11 = lanes_both(active, here);
             if (lanes_any(_if_here_11)) {
-                CALL(court_backboard_normal, _backboard_normal_4)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
-                far_nx = lanes_select(_if_here_11, _backboard_normal_4.nx, far_nx);
-                far_ny = lanes_select(_if_here_11, _backboard_normal_4.ny, far_ny);
-                far_nz = lanes_select(_if_here_11, _backboard_normal_4.nz, far_nz);
-                CALL(court_backboard_distance, _backboard_distance_2)(far_x, far_y, far_z, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
-                far_gap = lanes_select(_if_here_11, _backboard_distance_2.gap, far_gap);
-            }
-            CALL(court_holding, _holding_12)(K(2.0), held);
-            EACH(SET, _holding_12, here)
-            const M _if_here_12 = lanes_both(active, here);
-            if (lanes_any(_if_here_12)) {
                 CALL(court_bridge_normal, _bridge_normal_4)(far_x, far_y, far_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108));
-                far_nx = lanes_select(_if_here_12, _bridge_normal_4.nx, far_nx);
-                far_ny = lanes_select(_if_here_12, _bridge_normal_4.ny, far_ny);
-                far_nz = lanes_select(_if_here_12, _bridge_normal_4.nz, far_nz);
+                far_nx = lanes_select(_if_here_11, _bridge_normal_4.nx, far_nx);
+                far_ny = lanes_select(_if_here_11, _bridge_normal_4.ny, far_ny);
+                far_nz = lanes_select(_if_here_11, _bridge_normal_4.nz, far_nz);
                 CALL(court_bridge_distance, _bridge_distance_2)(far_x, far_y, far_z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
-                far_gap = lanes_select(_if_here_12, _bridge_distance_2.gap, far_gap);
+                far_gap = lanes_select(_if_here_11, _bridge_distance_2.gap, far_gap);
             }
             CALL(court_roll_placed, _roll_placed_2)(far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate, FIXED(110));
             far_x = _roll_placed_2.x;
@@ -2517,27 +2477,27 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             far_z = _roll_moved_2.z;
             far_vz = _roll_moved_2.vz;
             EACH(SET, _roll_moved_2, turn_rate)
-            CALL(court_holding, _holding_13)(K(1.0), held);
+            CALL(court_holding, _holding_12)(K(1.0), held);
+            EACH(SET, _holding_12, here)
+            const M _if_here_12 = lanes_both(active, here);
+            if (lanes_any(_if_here_12)) {
+                CALL(court_backboard_normal, _backboard_normal_5)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
+                far_nx = lanes_select(_if_here_12, _backboard_normal_5.nx, far_nx);
+                far_ny = lanes_select(_if_here_12, _backboard_normal_5.ny, far_ny);
+                far_nz = lanes_select(_if_here_12, _backboard_normal_5.nz, far_nz);
+                CALL(court_backboard_distance, _backboard_distance_3)(far_x, far_y, far_z, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
+                far_gap = lanes_select(_if_here_12, _backboard_distance_3.gap, far_gap);
+            }
+            CALL(court_holding, _holding_13)(K(2.0), held);
             EACH(SET, _holding_13, here)
             const M _if_here_13 = lanes_both(active, here);
             if (lanes_any(_if_here_13)) {
-                CALL(court_backboard_normal, _backboard_normal_5)(far_x, far_y, far_z, FIXED(9), FIXED(10), FIXED(11), FIXED(12), FIXED(15), FIXED(108));
-                far_nx = lanes_select(_if_here_13, _backboard_normal_5.nx, far_nx);
-                far_ny = lanes_select(_if_here_13, _backboard_normal_5.ny, far_ny);
-                far_nz = lanes_select(_if_here_13, _backboard_normal_5.nz, far_nz);
-                CALL(court_backboard_distance, _backboard_distance_3)(far_x, far_y, far_z, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
-                far_gap = lanes_select(_if_here_13, _backboard_distance_3.gap, far_gap);
-            }
-            CALL(court_holding, _holding_14)(K(2.0), held);
-            EACH(SET, _holding_14, here)
-            const M _if_here_14 = lanes_both(active, here);
-            if (lanes_any(_if_here_14)) {
                 CALL(court_bridge_normal, _bridge_normal_5)(far_x, far_y, far_z, FIXED(7), FIXED(8), FIXED(9), FIXED(13), FIXED(16), FIXED(108));
-                far_nx = lanes_select(_if_here_14, _bridge_normal_5.nx, far_nx);
-                far_ny = lanes_select(_if_here_14, _bridge_normal_5.ny, far_ny);
-                far_nz = lanes_select(_if_here_14, _bridge_normal_5.nz, far_nz);
+                far_nx = lanes_select(_if_here_13, _bridge_normal_5.nx, far_nx);
+                far_ny = lanes_select(_if_here_13, _bridge_normal_5.ny, far_ny);
+                far_nz = lanes_select(_if_here_13, _bridge_normal_5.nz, far_nz);
                 CALL(court_bridge_distance, _bridge_distance_3)(far_x, far_y, far_z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
-                far_gap = lanes_select(_if_here_14, _bridge_distance_3.gap, far_gap);
+                far_gap = lanes_select(_if_here_13, _bridge_distance_3.gap, far_gap);
             }
             CALL(court_roll_placed, _roll_placed_3)(far_x, far_y, far_z, far_nx, far_ny, far_nz, far_vx, far_vy, far_vz, far_gap, turn_rate, FIXED(110));
             far_x = _roll_placed_3.x;
@@ -2675,7 +2635,11 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
         size_t done = 0;
         size_t busy = 0;
         EACH(START_MASK, , active)
-        EACH(START, , row, turns, circled, clock, through, vx, vy, vz, which, wx, wy, wz, x, y, z)
+        EACH(START, , row, turns)
+#if BOUNDED
+        V p_ring_friction = lanes_load(worklist->parameters.p_ring_friction);
+#endif
+        EACH(START, , circled, clock, through, vx, vy, vz, which, wx, wy, wz, x, y, z)
         BOUNDS(EACH(START, , clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, earliest_delay))
         BOUNDS(EACH(START, , estimated, grip_lost, last_grip_clock, last_grip_deficit))
         BOUNDS(EACH(START, , last_grip_deficit_rate, undecided_time))
@@ -2686,12 +2650,16 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
                 turns = lanes_select(idle, K(0.0), turns);
                 EACH(EXPAND, in_contact_circling_, row, circled, clock, through, vx, vy, vz, which)
                 EACH(EXPAND, in_contact_circling_, wx, wy, wz, x, y, z)
-                BOUNDS(EACH(EXPAND, in_contact_circling_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx))
-                BOUNDS(EACH(EXPAND, in_contact_circling_, dy, dz, earliest_delay, estimated, grip_lost))
-                BOUNDS(EACH(EXPAND, in_contact_circling_, last_grip_clock, last_grip_deficit))
-                BOUNDS(EACH(EXPAND, in_contact_circling_, last_grip_deficit_rate, undecided_time))
-                BOUNDS(EACH(EXPAND_SINGLE, in_contact_circling_, clock_bound, position_bound, spin_bound))
-                BOUNDS(EACH(EXPAND_SINGLE, in_contact_circling_, velocity_bound))
+#if BOUNDED
+                EACH(EXPAND, in_contact_circling_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx)
+                EACH(EXPAND, in_contact_circling_, dy, dz, earliest_delay, estimated, grip_lost)
+                EACH(EXPAND, in_contact_circling_, last_grip_clock, last_grip_deficit)
+                EACH(EXPAND, in_contact_circling_, last_grip_deficit_rate, undecided_time)
+                EACH(EXPAND_SINGLE, in_contact_circling_, clock_bound, position_bound, spin_bound)
+                EACH(EXPAND_SINGLE, in_contact_circling_, velocity_bound)
+                if (varying)
+                    p_ring_friction = lanes_expand(worklist->in_contact_circling_parameters.p_ring_friction + taken, idle, p_ring_friction);
+#endif
                 if (LANES_SELDOM(varying))
                     LOOP(fix_in_contact_circling_rows_1)(worklist, taken, idle);
                 const size_t room = LANES_WIDTH - busy;
@@ -2709,46 +2677,46 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
 #endif
             CALL(court_ring_rolling_surface, _ring_rolling_surface_1)(FIXED(107));
             EACH(GET, _ring_rolling_surface_1, per_reach)
-            CALL(court_ring_round_start, _ring_round_start_1)(x, y, z, vx, vy, vz, wx, wy, wz, per_reach, FIXED(6), FIXED(7), FIXED(109), FIXED(133));
+            CALL(court_ring_round_start, _ring_round_start_1)(x, y, z, vx, vy, vz, wx, wy, wz, per_reach, FIXED(6), FIXED(7), FIXED(109), FIXED(131));
             EACH(GET, _ring_round_start_1, cosine_0, sine_0, climb_0, along_0, turn_rate_0, cos_0)
             EACH(GET, _ring_round_start_1, sin_0, tilted_0, near_0)
-            CALL(court_ring_round_0, _ring_round_0_1)(per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0, FIXED(21), FIXED(7), FIXED(126), FIXED(133), FIXED(109), FIXED(137));
+            CALL(court_ring_round_0, _ring_round_0_1)(per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0, FIXED(21), FIXED(7), FIXED(126), FIXED(131), FIXED(109), FIXED(135));
             EACH(GET, _ring_round_0_1, omega_0, around_0, cosine_1, sine_1, climb_1, along_1)
             EACH(GET, _ring_round_0_1, turn_rate_1, tilted_1)
-            CALL(court_ring_round_1, _ring_round_1_1)(per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(138), FIXED(137));
+            CALL(court_ring_round_1, _ring_round_1_1)(per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(136), FIXED(135));
             EACH(GET, _ring_round_1_1, omega_1, around_1, cosine_2, sine_2, climb_2, along_2)
             EACH(GET, _ring_round_1_1, turn_rate_2, tilted_2)
-            CALL(court_ring_round_2, _ring_round_2_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(139), FIXED(137));
+            CALL(court_ring_round_2, _ring_round_2_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(137), FIXED(135));
             EACH(GET, _ring_round_2_1, omega_2, around_2, cosine_3, sine_3, climb_3, along_3)
             EACH(GET, _ring_round_2_1, turn_rate_3, tilted_3)
-            CALL(court_ring_round_3, _ring_round_3_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(140), FIXED(137));
+            CALL(court_ring_round_3, _ring_round_3_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(138), FIXED(135));
             EACH(GET, _ring_round_3_1, omega_3, around_3, cosine_4, sine_4, climb_4, along_4)
             EACH(GET, _ring_round_3_1, turn_rate_4, tilted_4)
-            CALL(court_ring_round_4, _ring_round_4_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(141), FIXED(137));
+            CALL(court_ring_round_4, _ring_round_4_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(139), FIXED(135));
             EACH(GET, _ring_round_4_1, omega_4, around_4, cosine_5, sine_5, climb_5, along_5)
             EACH(GET, _ring_round_4_1, turn_rate_5, tilted_5)
-            CALL(court_ring_round_5, _ring_round_5_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(142), FIXED(137));
+            CALL(court_ring_round_5, _ring_round_5_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(140), FIXED(135));
             EACH(GET, _ring_round_5_1, omega_5, around_5, cosine_6, sine_6, climb_6, along_6)
             EACH(GET, _ring_round_5_1, turn_rate_6, tilted_6)
-            CALL(court_ring_round_6, _ring_round_6_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(143), FIXED(137));
+            CALL(court_ring_round_6, _ring_round_6_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(141), FIXED(135));
             EACH(GET, _ring_round_6_1, omega_6, around_6, cosine_7, sine_7, climb_7, along_7)
             EACH(GET, _ring_round_6_1, turn_rate_7, tilted_7)
-            CALL(court_ring_round_7, _ring_round_7_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(144), FIXED(137));
+            CALL(court_ring_round_7, _ring_round_7_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(142), FIXED(135));
             EACH(GET, _ring_round_7_1, omega_7, around_7, cosine_8, sine_8, climb_8, along_8)
             EACH(GET, _ring_round_7_1, turn_rate_8, tilted_8)
-            CALL(court_ring_round_8, _ring_round_8_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(145), FIXED(137));
+            CALL(court_ring_round_8, _ring_round_8_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(143), FIXED(135));
             EACH(GET, _ring_round_8_1, omega_8, around_8, cosine_9, sine_9, climb_9, along_9)
             EACH(GET, _ring_round_8_1, turn_rate_9, tilted_9)
-            CALL(court_ring_round_9, _ring_round_9_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(146), FIXED(137));
+            CALL(court_ring_round_9, _ring_round_9_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(144), FIXED(135));
             EACH(GET, _ring_round_9_1, omega_9, around_9, cosine_10, sine_10, climb_10, along_10)
             EACH(GET, _ring_round_9_1, turn_rate_10, tilted_10)
-            CALL(court_ring_round_10, _ring_round_10_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(147), FIXED(137));
+            CALL(court_ring_round_10, _ring_round_10_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(145), FIXED(135));
             EACH(GET, _ring_round_10_1, omega_10, around_10, cosine_11, sine_11, climb_11, along_11)
             EACH(GET, _ring_round_10_1, turn_rate_11, tilted_11)
-            CALL(court_ring_round_11, _ring_round_11_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(148), FIXED(137));
+            CALL(court_ring_round_11, _ring_round_11_1)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(146), FIXED(135));
             EACH(GET, _ring_round_11_1, omega_11, cosine_12, sine_12, climb_12, along_12)
             EACH(GET, _ring_round_11_1, turn_rate_12)
-            CALL(court_ring_round_step, _ring_round_step_1)(per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(21), FIXED(128), FIXED(133), FIXED(149), FIXED(150), FIXED(151), FIXED(152));
+            CALL(court_ring_round_step, _ring_round_step_1)(per_reach, turn_rate_0, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_12, sine_0, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(21), FIXED(128), FIXED(131), FIXED(147), FIXED(148), FIXED(149), FIXED(150));
             EACH(GET, _ring_round_step_1, stride, strongest, fastest, section_acceleration, force)
             EACH(GET, _ring_round_step_1, force_rate, force_bend, friction_force_rate, vx_1, vy_1)
             EACH(GET, _ring_round_step_1, vz_1)
@@ -2756,7 +2724,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(GET, _ring_round_step_1, missed)
             CALL(court_ring_round_pulled, _ring_round_pulled_1)(turn_rate_0, turn_rate_1, climb_0, climb_1, cosine_0, cosine_1, omega_0, omega_1, FIXED(21), FIXED(109));
             EACH(GET, _ring_round_pulled_1, rolling_friction, rolling_friction_rate)
-            CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_1)(rolling_friction, rolling_friction_rate, force, force_rate, FIXED(153));
+            CALL(court_ring_impact_grip_deficit, _ring_impact_grip_deficit_1)(p_ring_friction, rolling_friction, rolling_friction_rate, force, force_rate);
             EACH(GET, _ring_impact_grip_deficit_1, grip_deficit, grip_deficit_rate)
             CALL(court_exceeds_grip, _exceeds_grip_1)(grip_deficit, grip_lost);
             EACH(GET_MASK, _exceeds_grip_1, loses)
@@ -2769,7 +2737,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _remember_grip_deficit_1, last_grip_deficit, last_grip_deficit_rate)
             EACH(SET, _remember_grip_deficit_1, last_grip_clock)
 #endif
-            CALL(court_leaving_force, _leaving_force_1)(vx, vx_1, vy, vy_1, vz, vz_1, which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest, FIXED(21), FIXED(131), FIXED(132));
+            CALL(court_leaving_force, _leaving_force_1)(vx, vx_1, vy, vy_1, vz, vz_1, which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), per_reach, force, force_rate, force_bend, friction_force_rate, stride, fastest, FIXED(21), FIXED(129), FIXED(130));
             EACH(SET, _leaving_force_1, stride, which)
             EACH(GET_MASK, _leaving_force_1, rests)
             BOUNDS(EACH(SET, _leaving_force_1, undecided_time))
@@ -2791,7 +2759,7 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             CALL(court_beside_time, _beside_time_1)(which, clock, time_limit, stride);
             EACH(SET, _beside_time_1, stride, which)
 #if BOUNDED
-            CALL(court_neighbour_scale, _neighbour_scale_1)(dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(135), FIXED(136));
+            CALL(court_neighbour_scale, _neighbour_scale_1)(dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, FIXED(6), FIXED(133), FIXED(134));
             EACH(GET, _neighbour_scale_1, neighbour_scale)
             CALL(court_neighbour, _neighbour_1)(x, y, z, vx, vy, vz, wx, wy, wz, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, neighbour_scale);
             EACH(GET, _neighbour_1, far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy)
@@ -2803,11 +2771,11 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             V azimuth_clearance = _isolated_1.nearest;
             CALL(court_half_steps, _half_steps_1)(stride);
             EACH(GET, _half_steps_1, forth, back)
-            CALL(court_backboard_around, _backboard_around_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(12), FIXED(154));
+            CALL(court_backboard_around, _backboard_around_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(12), FIXED(151));
             EACH(SET, _backboard_around_1, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_1)(gap, nearing, forth, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_1, azimuth_clearance)
-            CALL(court_bridge_around, _bridge_around_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(8), FIXED(16), FIXED(155));
+            CALL(court_bridge_around, _bridge_around_1)(x, y, z, vx, vy, vz, FIXED(6), FIXED(8), FIXED(16), FIXED(152));
             EACH(SET, _bridge_around_1, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_2)(gap, nearing, forth, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_2, azimuth_clearance)
@@ -2815,16 +2783,16 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _end_around_1, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_3)(gap, nearing, forth, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_3, azimuth_clearance)
-            CALL(court_ring_round_moved, _ring_round_moved_1)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(7), FIXED(133), FIXED(110));
+            CALL(court_ring_round_moved, _ring_round_moved_1)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(7), FIXED(131), FIXED(110));
             EACH(SET, _ring_round_moved_1, x, y, z, vx, vy, vz, wx, wy, wz)
             EACH(GET, _ring_round_moved_1, climb)
             CALL(court_passing_in_contact, _passing_in_contact_1)(x, y, z, through, over, FIXED(19));
             EACH(SET, _passing_in_contact_1, through)
-            CALL(court_backboard_around, _backboard_around_2)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(12), FIXED(154));
+            CALL(court_backboard_around, _backboard_around_2)(x, y, z, vx, vy, vz, FIXED(6), FIXED(11), FIXED(12), FIXED(151));
             EACH(SET, _backboard_around_2, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_4)(gap, nearing, back, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_4, azimuth_clearance)
-            CALL(court_bridge_around, _bridge_around_2)(x, y, z, vx, vy, vz, FIXED(6), FIXED(8), FIXED(16), FIXED(155));
+            CALL(court_bridge_around, _bridge_around_2)(x, y, z, vx, vy, vz, FIXED(6), FIXED(8), FIXED(16), FIXED(152));
             EACH(SET, _bridge_around_2, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_5)(gap, nearing, back, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_5, azimuth_clearance)
@@ -2832,53 +2800,53 @@ LANES_APART void LOOP(in_contact)(LOOP(worklist) *worklist, size_t in_contact_sh
             EACH(SET, _end_around_2, gap, nearing)
             CALL(court_clearance_at_any_azimuth, _clearance_at_any_azimuth_6)(gap, nearing, back, azimuth_clearance);
             EACH(SET, _clearance_at_any_azimuth_6, azimuth_clearance)
-            CALL(court_ring_swung, _ring_swung_1)(which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance, FIXED(21), FIXED(133), FIXED(156), FIXED(157), FIXED(128), FIXED(107), FIXED(158));
+            CALL(court_ring_swung, _ring_swung_1)(which, OR_INFINITE(undecided_time), OR_ZERO(position_error), OR_ZERO(velocity_error), force, force_rate, force_bend, stride, fastest, circled, climb, climb_0, section_acceleration, azimuth_clearance, FIXED(21), FIXED(131), FIXED(153), FIXED(154), FIXED(128), FIXED(107), FIXED(155));
             EACH(SET, _ring_swung_1, circled)
             EACH(GET_MASK, _ring_swung_1, endless)
             BOUNDS(EACH(SET, _ring_swung_1, undecided_time))
             CALL(court_rolls_for_ever, _rolls_for_ever_1)(which, endless);
             EACH(SET, _rolls_for_ever_1, which)
 #if BOUNDED
-            CALL(court_ring_round_start, _ring_round_start_2)(far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, per_reach, FIXED(6), FIXED(7), FIXED(109), FIXED(133));
+            CALL(court_ring_round_start, _ring_round_start_2)(far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz, per_reach, FIXED(6), FIXED(7), FIXED(109), FIXED(131));
             EACH(SET, _ring_round_start_2, cosine_0, sine_0, climb_0, along_0, turn_rate_0, cos_0)
             EACH(SET, _ring_round_start_2, sin_0, tilted_0, near_0)
-            CALL(court_ring_round_0, _ring_round_0_2)(per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0, FIXED(21), FIXED(7), FIXED(126), FIXED(133), FIXED(109), FIXED(137));
+            CALL(court_ring_round_0, _ring_round_0_2)(per_reach, turn_rate_0, near_0, climb_0, cosine_0, sine_0, along_0, tilted_0, FIXED(21), FIXED(7), FIXED(126), FIXED(131), FIXED(109), FIXED(135));
             EACH(SET, _ring_round_0_2, omega_0, around_0, cosine_1, sine_1, climb_1, along_1)
             EACH(SET, _ring_round_0_2, turn_rate_1, tilted_1)
-            CALL(court_ring_round_1, _ring_round_1_2)(per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(138), FIXED(137));
+            CALL(court_ring_round_1, _ring_round_1_2)(per_reach, turn_rate_0, turn_rate_1, near_0, climb_0, climb_1, cosine_0, cosine_1, sine_0, sine_1, along_1, omega_0, around_0, tilted_0, tilted_1, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(136), FIXED(135));
             EACH(SET, _ring_round_1_2, omega_1, around_1, cosine_2, sine_2, climb_2, along_2)
             EACH(SET, _ring_round_1_2, turn_rate_2, tilted_2)
-            CALL(court_ring_round_2, _ring_round_2_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(139), FIXED(137));
+            CALL(court_ring_round_2, _ring_round_2_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, near_0, climb_0, climb_1, climb_2, cosine_0, cosine_1, cosine_2, sine_0, sine_1, sine_2, along_2, omega_0, omega_1, around_0, around_1, tilted_0, tilted_1, tilted_2, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(137), FIXED(135));
             EACH(SET, _ring_round_2_2, omega_2, around_2, cosine_3, sine_3, climb_3, along_3)
             EACH(SET, _ring_round_2_2, turn_rate_3, tilted_3)
-            CALL(court_ring_round_3, _ring_round_3_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(140), FIXED(137));
+            CALL(court_ring_round_3, _ring_round_3_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, near_0, climb_0, climb_1, climb_2, climb_3, cosine_0, cosine_1, cosine_2, cosine_3, sine_0, sine_1, sine_2, sine_3, along_3, omega_0, omega_1, omega_2, around_0, around_1, around_2, tilted_0, tilted_1, tilted_2, tilted_3, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(138), FIXED(135));
             EACH(SET, _ring_round_3_2, omega_3, around_3, cosine_4, sine_4, climb_4, along_4)
             EACH(SET, _ring_round_3_2, turn_rate_4, tilted_4)
-            CALL(court_ring_round_4, _ring_round_4_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(141), FIXED(137));
+            CALL(court_ring_round_4, _ring_round_4_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, sine_0, sine_1, sine_2, sine_3, sine_4, along_4, omega_0, omega_1, omega_2, omega_3, around_0, around_1, around_2, around_3, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(139), FIXED(135));
             EACH(SET, _ring_round_4_2, omega_4, around_4, cosine_5, sine_5, climb_5, along_5)
             EACH(SET, _ring_round_4_2, turn_rate_5, tilted_5)
-            CALL(court_ring_round_5, _ring_round_5_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(142), FIXED(137));
+            CALL(court_ring_round_5, _ring_round_5_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, along_5, omega_0, omega_1, omega_2, omega_3, omega_4, around_0, around_1, around_2, around_3, around_4, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(140), FIXED(135));
             EACH(SET, _ring_round_5_2, omega_5, around_5, cosine_6, sine_6, climb_6, along_6)
             EACH(SET, _ring_round_5_2, turn_rate_6, tilted_6)
-            CALL(court_ring_round_6, _ring_round_6_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(143), FIXED(137));
+            CALL(court_ring_round_6, _ring_round_6_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, along_6, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, around_0, around_1, around_2, around_3, around_4, around_5, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(141), FIXED(135));
             EACH(SET, _ring_round_6_2, omega_6, around_6, cosine_7, sine_7, climb_7, along_7)
             EACH(SET, _ring_round_6_2, turn_rate_7, tilted_7)
-            CALL(court_ring_round_7, _ring_round_7_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(144), FIXED(137));
+            CALL(court_ring_round_7, _ring_round_7_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, along_7, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, around_0, around_1, around_2, around_3, around_4, around_5, around_6, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(142), FIXED(135));
             EACH(SET, _ring_round_7_2, omega_7, around_7, cosine_8, sine_8, climb_8, along_8)
             EACH(SET, _ring_round_7_2, turn_rate_8, tilted_8)
-            CALL(court_ring_round_8, _ring_round_8_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(145), FIXED(137));
+            CALL(court_ring_round_8, _ring_round_8_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, along_8, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(143), FIXED(135));
             EACH(SET, _ring_round_8_2, omega_8, around_8, cosine_9, sine_9, climb_9, along_9)
             EACH(SET, _ring_round_8_2, turn_rate_9, tilted_9)
-            CALL(court_ring_round_9, _ring_round_9_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(146), FIXED(137));
+            CALL(court_ring_round_9, _ring_round_9_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, along_9, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(144), FIXED(135));
             EACH(SET, _ring_round_9_2, omega_9, around_9, cosine_10, sine_10, climb_10, along_10)
             EACH(SET, _ring_round_9_2, turn_rate_10, tilted_10)
-            CALL(court_ring_round_10, _ring_round_10_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(147), FIXED(137));
+            CALL(court_ring_round_10, _ring_round_10_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, along_10, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(145), FIXED(135));
             EACH(SET, _ring_round_10_2, omega_10, around_10, cosine_11, sine_11, climb_11, along_11)
             EACH(SET, _ring_round_10_2, turn_rate_11, tilted_11)
-            CALL(court_ring_round_11, _ring_round_11_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11, FIXED(21), FIXED(133), FIXED(126), FIXED(109), FIXED(148), FIXED(137));
+            CALL(court_ring_round_11, _ring_round_11_2)(per_reach, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, near_0, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, along_11, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, around_0, around_1, around_2, around_3, around_4, around_5, around_6, around_7, around_8, around_9, around_10, tilted_0, tilted_1, tilted_2, tilted_3, tilted_4, tilted_5, tilted_6, tilted_7, tilted_8, tilted_9, tilted_10, tilted_11, FIXED(21), FIXED(131), FIXED(126), FIXED(109), FIXED(146), FIXED(135));
             EACH(SET, _ring_round_11_2, omega_11, cosine_12, sine_12, climb_12, along_12)
             EACH(SET, _ring_round_11_2, turn_rate_12)
-            CALL(court_ring_round_moved, _ring_round_moved_2)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(7), FIXED(133), FIXED(110));
+            CALL(court_ring_round_moved, _ring_round_moved_2)(stride, turn_rate_0, turn_rate_1, turn_rate_2, turn_rate_3, turn_rate_4, turn_rate_5, turn_rate_6, turn_rate_7, turn_rate_8, turn_rate_9, turn_rate_10, turn_rate_11, turn_rate_12, climb_0, climb_1, climb_2, climb_3, climb_4, climb_5, climb_6, climb_7, climb_8, climb_9, climb_10, climb_11, climb_12, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9, cosine_10, cosine_11, cosine_12, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9, sine_10, sine_11, sine_12, along_0, along_1, along_2, along_3, along_4, along_5, along_6, along_7, along_8, along_9, along_10, along_11, along_12, cos_0, sin_0, omega_0, omega_1, omega_2, omega_3, omega_4, omega_5, omega_6, omega_7, omega_8, omega_9, omega_10, omega_11, FIXED(7), FIXED(131), FIXED(110));
             far_x = _ring_round_moved_2.x;
             far_y = _ring_round_moved_2.y;
             far_z = _ring_round_moved_2.z;
@@ -3026,10 +2994,10 @@ LANES_APART void LOOP(fix_rows_7)(LOOP(worklist) *worklist, size_t i)
 #if BOUNDED
         const V _s45 = lanes_add(p_ball_radius, p_wire_radius);
         const V _s57 = lanes_div(K(1.0), p_gravity);
-        const V _s339 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius), p_board_distance), p_board_half_width), p_board_thickness), p_bridge_half_width);
-        const V _s345 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+        const V _s333 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_ring_radius), p_wire_radius), p_board_distance), p_board_half_width), p_board_thickness), p_bridge_half_width);
+        const V _s339 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
 #endif
-        const V _s352 = lanes_div(lanes_mul(p_inertia, lanes_add(K(1.0), p_tangential_restitution)), lanes_add(K(1.0), p_inertia));
+        const V _s346 = lanes_div(lanes_mul(p_inertia, lanes_add(K(1.0), p_tangential_restitution)), lanes_add(K(1.0), p_inertia));
         FIX(6, p_ball_radius); FIX(7, p_ring_radius); FIX(8, p_wire_radius);
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(13, p_bridge_half_width);
@@ -3050,17 +3018,17 @@ LANES_APART void LOOP(fix_rows_7)(LOOP(worklist) *worklist, size_t i)
 #endif
         FIX(108, lanes_mul(K(0.5), p_ball_radius));
 #if BOUNDED
-        FIX(110, lanes_div(K(1.0), p_ball_radius)); FIX(163, lanes_mul(K(8.0), _s57));
-        FIX(164, lanes_add(lanes_add(lanes_add(lanes_add(_s339, p_bridge_depth), p_end_depth), lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
-        FIX(165, lanes_div(K(1.0), lanes_min(_s345, _s45)));
+        FIX(110, lanes_div(K(1.0), p_ball_radius)); FIX(160, lanes_mul(K(8.0), _s57));
+        FIX(161, lanes_add(lanes_add(lanes_add(lanes_add(_s333, p_bridge_depth), p_end_depth), lanes_abs(p_board_bottom)), lanes_abs(p_board_top)));
+        FIX(162, lanes_div(K(1.0), lanes_min(_s339, _s45)));
 #endif
-        FIX(166, p_restitution_speed); FIX(167, _s352); FIX(168, lanes_mul(_s352, _s352));
-        FIX(169, lanes_mul(p_ball_radius, p_inertia));
+        FIX(163, p_restitution_speed); FIX(164, _s346); FIX(165, lanes_mul(_s346, _s346));
+        FIX(166, lanes_mul(p_ball_radius, p_inertia));
 #if BOUNDED
-        FIX(170, lanes_mul(K(1.52587890625e-05), lanes_mul(p_ball_radius, p_gravity)));
+        FIX(167, lanes_mul(K(1.52587890625e-05), lanes_mul(p_ball_radius, p_gravity)));
 #endif
-        FIX(171, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
-        FIX(172, lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
+        FIX(168, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        FIX(169, lanes_mul(K(1.1920928955078125e-07), p_ball_radius));
 #if BOUNDED
     }
     {
@@ -3121,13 +3089,10 @@ LANES_APART void LOOP(fix_rows_7)(LOOP(worklist) *worklist, size_t i)
 
 LANES_APART void LOOP(fix_slow_rows_1)(LOOP(worklist) *worklist, size_t i)
 {
-    EACH(PARAMETER, slow_, p_backboard_friction, p_backboard_restitution, p_ball_radius)
-    EACH(PARAMETER, slow_, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness)
-    EACH(PARAMETER, slow_, p_board_top, p_bridge_depth, p_bridge_friction, p_bridge_half_width)
-    EACH(PARAMETER, slow_, p_bridge_restitution, p_end_depth, p_gravity, p_inertia, p_ring_friction)
-    EACH(PARAMETER, slow_, p_ring_radius, p_ring_restitution, p_wire_radius)
+    EACH(PARAMETER, slow_, p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width)
+    EACH(PARAMETER, slow_, p_board_thickness, p_board_top, p_bridge_depth, p_bridge_half_width)
+    EACH(PARAMETER, slow_, p_end_depth, p_gravity, p_inertia, p_ring_radius, p_wire_radius)
     {
-        const V _s219 = lanes_mul(p_inertia, lanes_div(K(1.0), lanes_add(K(1.0), p_inertia)));
         const V _s227 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
         const V _s232 = lanes_add(lanes_add(_s227, lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness));
         const V _s235 = lanes_add(_s227, lanes_mul(K(2.842170943040401e-14), p_board_half_width));
@@ -3135,12 +3100,6 @@ LANES_APART void LOOP(fix_slow_rows_1)(LOOP(worklist) *worklist, size_t i)
         const V _s245 = lanes_add(lanes_add(_s227, lanes_mul(K(1.4210854715202004e-14), p_ring_radius)), lanes_mul(K(1.4210854715202004e-14), p_board_distance));
         const V _s248 = lanes_add(_s227, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
         const V _s255 = lanes_add(lanes_add(_s227, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
-        const V _s361 = lanes_sub(K(1.0), p_ring_restitution);
-        const V _s363 = lanes_add(K(1.0), p_ring_restitution);
-        const V _s370 = lanes_sub(K(1.0), p_backboard_restitution);
-        const V _s372 = lanes_add(K(1.0), p_backboard_restitution);
-        const V _s377 = lanes_sub(K(1.0), p_bridge_restitution);
-        const V _s379 = lanes_add(K(1.0), p_bridge_restitution);
         FIX(6, p_ball_radius); FIX(7, p_ring_radius); FIX(8, p_wire_radius);
         FIX(9, p_board_distance); FIX(10, p_board_half_width); FIX(11, p_board_bottom);
         FIX(12, p_board_top); FIX(13, p_bridge_half_width);
@@ -3148,27 +3107,20 @@ LANES_APART void LOOP(fix_slow_rows_1)(LOOP(worklist) *worklist, size_t i)
         FIX(16, lanes_sub(p_wire_radius, p_bridge_depth)); FIX(18, lanes_neg(p_end_depth));
         FIX(21, p_gravity); FIX(23, lanes_neg(p_gravity));
         FIX(107, lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)));
-        FIX(108, lanes_mul(K(0.5), p_ball_radius)); FIX(109, _s219);
+        FIX(108, lanes_mul(K(0.5), p_ball_radius));
+        FIX(109, lanes_mul(p_inertia, lanes_div(K(1.0), lanes_add(K(1.0), p_inertia))));
         FIX(110, lanes_div(K(1.0), p_ball_radius));
         FIX(111, lanes_mul(K(3.637978807091713e-12), p_ball_radius)); FIX(114, _s232);
         FIX(115, lanes_neg(_s232)); FIX(116, _s235); FIX(117, lanes_neg(_s235)); FIX(118, _s240);
         FIX(119, lanes_neg(_s240)); FIX(120, _s245); FIX(121, lanes_neg(_s245)); FIX(122, _s248);
         FIX(123, lanes_neg(_s248)); FIX(124, _s255); FIX(125, lanes_neg(_s255));
 #if BOUNDED
-        FIX(134, p_bridge_depth);
+        FIX(132, p_bridge_depth);
 #endif
-        FIX(159, lanes_mul(K(3.0), p_gravity));
-        FIX(160, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
-        FIX(171, lanes_mul(K(7.275957614183426e-12), p_ball_radius)); FIX(173, p_ring_restitution);
-        FIX(174, _s361); FIX(175, lanes_mul(_s361, _s361));
-        FIX(176, lanes_mul(p_ring_friction, _s363)); FIX(177, lanes_mul(_s363, _s361));
-        FIX(178, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
-        FIX(179, lanes_mul(_s219, _s361)); FIX(180, p_backboard_restitution); FIX(181, _s370);
-        FIX(182, lanes_mul(_s370, _s370)); FIX(183, lanes_mul(p_backboard_friction, _s372));
-        FIX(184, lanes_mul(_s372, _s370)); FIX(185, lanes_mul(_s219, _s370));
-        FIX(186, p_bridge_restitution); FIX(187, _s377); FIX(188, lanes_mul(_s377, _s377));
-        FIX(189, lanes_mul(p_bridge_friction, _s379)); FIX(190, lanes_mul(_s379, _s377));
-        FIX(191, lanes_mul(_s219, _s377));
+        FIX(156, lanes_mul(K(3.0), p_gravity));
+        FIX(157, lanes_mul(K(2.0), lanes_mul(K(3.0), lanes_mul(p_gravity, p_gravity))));
+        FIX(168, lanes_mul(K(7.275957614183426e-12), p_ball_radius));
+        FIX(170, lanes_mul(K(3.725290298461914e-09), p_ball_radius));
     }
 }
 
@@ -3178,10 +3130,12 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
         const M rows = mask_first_n(slow_shots - i);
         if (LANES_SELDOM(varying))
             LOOP(fix_slow_rows_1)(worklist, i);
-        EACH(LOAD, slow_, held, mode, outcome, slip_left, vx, vy, vz, which, wx, wy, wz, x, y, z)
+        const V p_ring_friction = lanes_load(varying ? worklist->slow_parameters.p_ring_friction + i : worklist->parameters.p_ring_friction);
+        const V p_ring_restitution = lanes_load(varying ? worklist->slow_parameters.p_ring_restitution + i : worklist->parameters.p_ring_restitution);
+        EACH(LOAD, slow_, mode, vx, vy, vz, which, wx, wy, wz, x, y, z)
 #if BOUNDED
-        EACH(LOAD, slow_, assured, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, uncertain)
         EACH(LOAD_SINGLE, slow_, clock_bound, position_bound, spin_bound, velocity_bound)
+        EACH(LOAD, slow_, clock_error, dvx, dvy, dvz, dwx, dwy, dwz, dx, dy, dz, uncertain)
         CALL(court_estimates, _estimates_1)();
         EACH(GET, _estimates_1, estimated)
 #endif
@@ -3254,7 +3208,7 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
             EACH(STORE, slow_, vx, vy, vz, x, y, z)
             BOUNDS(EACH(STORE, slow_, dvx, dvy, dvz, dx, dy, dz))
         }
-        CALL(court_nearly, _nearly_1)(nx, ny, nz, vx, vy, vz, FIXED(6), FIXED(21), FIXED(171));
+        CALL(court_nearly, _nearly_1)(nx, ny, nz, vx, vy, vz, FIXED(6), FIXED(21), FIXED(168));
         EACH(GET_MASK, _nearly_1, nearly)
         CALL(court_gripped, _gripped_1)(nx, ny, nz, vx, vy, vz, wx, wy, wz, FIXED(6), FIXED(109));
         EACH(GET, _gripped_1, rolled_x, rolled_y, rolled_z, slip, bounce)
@@ -3262,166 +3216,204 @@ LANES_APART void LOOP(slow)(LOOP(worklist) *worklist, size_t slow_shots, size_t 
         CALL(court_error_bounds, _error_bounds_1)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz, lanes_wide(position_bound), lanes_wide(velocity_bound), lanes_wide(spin_bound), estimated, lanes_wide(clock_bound));
         EACH(GET, _error_bounds_1, position_error, velocity_error)
 #endif
-        CALL(court_here, _here_7)(K(0.0), which);
+        CALL(court_ring_rolling_surface, _ring_rolling_surface_1)(FIXED(107));
+        EACH(GET, _ring_rolling_surface_1, per_reach)
+        CALL(court_ring_turning, _ring_turning_1)(x, y, rolled_x, rolled_y, rolled_z, FIXED(7), FIXED(107));
+        EACH(GET, _ring_turning_1, turning_x, turning_y, turning_z)
+        CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(156), FIXED(157));
+        EACH(GET, _ring_separation_1, lift, gap_jerk)
+        CALL(court_here, _here_7)(K(1.0), which);
         EACH(SET, _here_7, here)
         const M _if_here_7 = lanes_both(rows, here);
         if (lanes_any(_if_here_7)) {
-            CALL(court_ring_rolling_surface, _ring_rolling_surface_1)(FIXED(107));
-            EACH(GET, _ring_rolling_surface_1, per_reach)
-            CALL(court_ring_turning, _ring_turning_1)(x, y, rolled_x, rolled_y, rolled_z, FIXED(7), FIXED(107));
-            EACH(GET, _ring_turning_1, turning_x, turning_y, turning_z)
-            CALL(court_pressed_on, _pressed_on_1)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(109));
-            EACH(GET, _pressed_on_1, press, weight, rolling_friction, rolling_acceleration_x)
-            EACH(GET, _pressed_on_1, rolling_acceleration_y, rolling_acceleration_z)
-            CALL(court_isolated, _isolated_1)();
-            EACH(GET, _isolated_1, nearest, second_contact_gap)
-            CALL(court_backboard_closing, _backboard_closing_1)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
-            EACH(GET, _backboard_closing_1, gap, nearing, rolling_gap_acceleration, normal_cosine)
-            CALL(court_near_body, _near_body_1)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-            EACH(SET, _near_body_1, nearest, second_contact_gap)
-            CALL(court_bridge_closing, _bridge_closing_1)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
-            EACH(SET, _bridge_closing_1, gap, nearing, rolling_gap_acceleration, normal_cosine)
-            CALL(court_near_body, _near_body_2)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-            EACH(SET, _near_body_2, nearest, second_contact_gap)
-            CALL(court_end_beside, _end_beside_1)(z, vz, FIXED(18));
-            EACH(SET, _end_beside_1, gap)
-            CALL(court_near_end_plane, _near_end_plane_1)(gap, nearest);
-            EACH(SET, _near_end_plane_1, nearest)
-            CALL(court_ring_separation, _ring_separation_1)(x, y, z, vx, vy, vz, FIXED(21), FIXED(7), FIXED(159), FIXED(160));
-            EACH(GET, _ring_separation_1, lift, gap_jerk)
-            CALL(court_ring_impact_settling, _ring_impact_settling_1)(x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, OR_ZERO(position_error), OR_ZERO(velocity_error), mode, per_reach, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(173), FIXED(174), FIXED(175), FIXED(176), FIXED(177), FIXED(109), FIXED(111), FIXED(178), FIXED(179));
-            EACH(GET_MASK, _ring_impact_settling_1, settles, lodges, slides, unpressed)
-            BOUNDS(EACH(SELECT, (_if_here_7, _ring_impact_settling_1), assured))
-            EACH(GET_MASK, _ring_impact_settling_1, undecided)
-            CALL(court_settled, _settled_1)(K(0.0), OR_ZERO(position_error), OR_ZERO(velocity_error), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
-            EACH(SELECT, (_if_here_7, _settled_1), mode, held, outcome, slip_left)
-            BOUNDS(EACH(SELECT, (_if_here_7, _settled_1), uncertain))
+            CALL(court_backboard_rolling_surface, _backboard_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(114), FIXED(115), FIXED(15), FIXED(116), FIXED(117), FIXED(118), FIXED(119), FIXED(110));
+            EACH(SELECT, (_if_here_7, _backboard_rolling_surface_1), per_reach)
+            CALL(court_backboard_turning, _backboard_turning_1)(x, y, z, rolled_x, rolled_y, rolled_z, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15), FIXED(108));
+            EACH(SELECT, (_if_here_7, _backboard_turning_1), turning_x, turning_y, turning_z)
+            CALL(court_backboard_separation, _backboard_separation_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(21), FIXED(15), FIXED(23));
+            EACH(SELECT, (_if_here_7, _backboard_separation_1), lift, gap_jerk)
         }
-        CALL(court_here, _here_8)(K(1.0), which);
+        CALL(court_here, _here_8)(K(2.0), which);
         EACH(SET, _here_8, here)
         const M _if_here_8 = lanes_both(rows, here);
         if (lanes_any(_if_here_8)) {
-            CALL(court_backboard_rolling_surface, _backboard_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(114), FIXED(115), FIXED(15), FIXED(116), FIXED(117), FIXED(118), FIXED(119), FIXED(110));
-            EACH(GET, _backboard_rolling_surface_1, per_reach)
-            CALL(court_backboard_turning, _backboard_turning_1)(x, y, z, rolled_x, rolled_y, rolled_z, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15), FIXED(108));
-            EACH(GET, _backboard_turning_1, turning_x, turning_y, turning_z)
-            CALL(court_pressed_on, _pressed_on_2)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(109));
-            EACH(GET, _pressed_on_2, press, weight, rolling_friction, rolling_acceleration_x)
-            EACH(GET, _pressed_on_2, rolling_acceleration_y, rolling_acceleration_z)
-            CALL(court_isolated, _isolated_2)();
-            EACH(GET, _isolated_2, nearest, second_contact_gap)
+            CALL(court_bridge_rolling_surface, _bridge_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(120), FIXED(121), FIXED(122), FIXED(123), FIXED(124), FIXED(125), FIXED(16), FIXED(110));
+            EACH(SELECT, (_if_here_8, _bridge_rolling_surface_1), per_reach)
+            CALL(court_bridge_turning, _bridge_turning_1)(x, y, z, rolled_x, rolled_y, rolled_z, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16), FIXED(108));
+            EACH(SELECT, (_if_here_8, _bridge_turning_1), turning_x, turning_y, turning_z)
+            CALL(court_bridge_separation, _bridge_separation_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(21), FIXED(7), FIXED(8), FIXED(16), FIXED(23));
+            EACH(SELECT, (_if_here_8, _bridge_separation_1), lift, gap_jerk)
+        }
+        CALL(court_pressed_on, _pressed_on_1)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(109));
+        EACH(GET, _pressed_on_1, press, weight, rolling_friction, rolling_acceleration_x)
+        EACH(GET, _pressed_on_1, rolling_acceleration_y, rolling_acceleration_z)
+        CALL(court_isolated, _isolated_1)();
+        EACH(GET, _isolated_1, nearest, second_contact_gap)
+        CALL(court_other_surface, _other_surface_1)(K(0.0), which);
+        EACH(GET_MASK, _other_surface_1, beside)
+        const M _if_beside_1 = lanes_both(rows, beside);
+        if (lanes_any(_if_beside_1)) {
             CALL(court_ring_closing, _ring_closing_1)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z, FIXED(6), FIXED(7), FIXED(8));
             EACH(GET, _ring_closing_1, gap, nearing, rolling_gap_acceleration, normal_cosine)
-            CALL(court_near_body, _near_body_3)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-            EACH(SET, _near_body_3, nearest, second_contact_gap)
-#if BOUNDED
-            CALL(court_backboard_seam0, _backboard_seam0_1)(x, vx, FIXED(15), FIXED(114));
-            EACH(SET, _backboard_seam0_1, gap)
-            CALL(court_seam_undecided, _seam_undecided_1)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
-            EACH(SELECT, (_if_here_8, _seam_undecided_1), uncertain)
-            CALL(court_backboard_seam1, _backboard_seam1_1)(x, vx, FIXED(9), FIXED(114));
-            EACH(SET, _backboard_seam1_1, gap)
-            CALL(court_seam_undecided, _seam_undecided_2)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
-            EACH(SELECT, (_if_here_8, _seam_undecided_2), uncertain)
-            CALL(court_backboard_seam2, _backboard_seam2_1)(y, vy, FIXED(10), FIXED(116));
-            EACH(SET, _backboard_seam2_1, gap)
-            CALL(court_seam_undecided, _seam_undecided_3)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
-            EACH(SELECT, (_if_here_8, _seam_undecided_3), uncertain)
-            CALL(court_backboard_seam3, _backboard_seam3_1)(y, vy, FIXED(10), FIXED(116));
-            EACH(SET, _backboard_seam3_1, gap)
-            CALL(court_seam_undecided, _seam_undecided_4)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
-            EACH(SELECT, (_if_here_8, _seam_undecided_4), uncertain)
-            CALL(court_backboard_seam4, _backboard_seam4_1)(z, vz, FIXED(11), FIXED(118));
-            EACH(SET, _backboard_seam4_1, gap)
-            CALL(court_seam_undecided, _seam_undecided_5)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
-            EACH(SELECT, (_if_here_8, _seam_undecided_5), uncertain)
-            CALL(court_backboard_seam5, _backboard_seam5_1)(z, vz, FIXED(12), FIXED(118));
-            EACH(SET, _backboard_seam5_1, gap)
-            CALL(court_seam_undecided, _seam_undecided_6)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
-            EACH(SELECT, (_if_here_8, _seam_undecided_6), uncertain)
-#endif
-            CALL(court_bridge_closing, _bridge_closing_2)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
-            EACH(SET, _bridge_closing_2, gap, nearing, rolling_gap_acceleration, normal_cosine)
-            CALL(court_near_body, _near_body_4)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-            EACH(SET, _near_body_4, nearest, second_contact_gap)
-            CALL(court_end_beside, _end_beside_2)(z, vz, FIXED(18));
-            EACH(SET, _end_beside_2, gap)
-            CALL(court_near_end_plane, _near_end_plane_2)(gap, nearest);
-            EACH(SET, _near_end_plane_2, nearest)
-            CALL(court_backboard_separation, _backboard_separation_1)(x, y, z, vx, vy, vz, FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(21), FIXED(15), FIXED(23));
-            EACH(GET, _backboard_separation_1, lift, gap_jerk)
-            CALL(court_ring_impact_settling, _ring_impact_settling_2)(x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, OR_ZERO(position_error), OR_ZERO(velocity_error), mode, per_reach, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(180), FIXED(181), FIXED(182), FIXED(183), FIXED(184), FIXED(109), FIXED(111), FIXED(178), FIXED(185));
-            EACH(GET_MASK, _ring_impact_settling_2, settles, lodges, slides, unpressed)
-            BOUNDS(EACH(SELECT, (_if_here_8, _ring_impact_settling_2), assured))
-            EACH(GET_MASK, _ring_impact_settling_2, undecided)
-            CALL(court_settled, _settled_2)(K(1.0), OR_ZERO(position_error), OR_ZERO(velocity_error), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
-            EACH(SELECT, (_if_here_8, _settled_2), mode, held, outcome, slip_left)
-            BOUNDS(EACH(SELECT, (_if_here_8, _settled_2), uncertain))
+            CALL(court_near_body, _near_body_1)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+            EACH(SELECT, (_if_beside_1, _near_body_1), nearest, second_contact_gap)
         }
-        CALL(court_here, _here_9)(K(2.0), which);
+        CALL(court_other_surface, _other_surface_2)(K(1.0), which);
+        EACH(SET, _other_surface_2, beside)
+        const M _if_beside_2 = lanes_both(rows, beside);
+        if (lanes_any(_if_beside_2)) {
+            CALL(court_backboard_closing, _backboard_closing_1)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
+            EACH(GET, _backboard_closing_1, gap, nearing, rolling_gap_acceleration, normal_cosine)
+            CALL(court_near_body, _near_body_2)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+            EACH(SELECT, (_if_beside_2, _near_body_2), nearest, second_contact_gap)
+        }
+#if BOUNDED
+        CALL(court_here, _here_9)(K(1.0), which);
         EACH(SET, _here_9, here)
         const M _if_here_9 = lanes_both(rows, here);
         if (lanes_any(_if_here_9)) {
-            CALL(court_bridge_rolling_surface, _bridge_rolling_surface_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(120), FIXED(121), FIXED(122), FIXED(123), FIXED(124), FIXED(125), FIXED(16), FIXED(110));
-            EACH(GET, _bridge_rolling_surface_1, per_reach)
-            CALL(court_bridge_turning, _bridge_turning_1)(x, y, z, rolled_x, rolled_y, rolled_z, FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16), FIXED(108));
-            EACH(GET, _bridge_turning_1, turning_x, turning_y, turning_z)
-            CALL(court_pressed_on, _pressed_on_3)(nx, ny, nz, wx, wy, wz, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, FIXED(6), FIXED(21), FIXED(109));
-            EACH(GET, _pressed_on_3, press, weight, rolling_friction, rolling_acceleration_x)
-            EACH(GET, _pressed_on_3, rolling_acceleration_y, rolling_acceleration_z)
-            CALL(court_isolated, _isolated_3)();
-            EACH(GET, _isolated_3, nearest, second_contact_gap)
-            CALL(court_ring_closing, _ring_closing_2)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z, FIXED(6), FIXED(7), FIXED(8));
-            EACH(GET, _ring_closing_2, gap, nearing, rolling_gap_acceleration, normal_cosine)
-            CALL(court_near_body, _near_body_5)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-            EACH(SET, _near_body_5, nearest, second_contact_gap)
-            CALL(court_backboard_closing, _backboard_closing_2)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z, FIXED(6), FIXED(11), FIXED(9), FIXED(10), FIXED(12), FIXED(15));
-            EACH(SET, _backboard_closing_2, gap, nearing, rolling_gap_acceleration, normal_cosine)
-            CALL(court_near_body, _near_body_6)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
-            EACH(SET, _near_body_6, nearest, second_contact_gap)
+            CALL(court_backboard_seam0, _backboard_seam0_1)(x, vx, FIXED(15), FIXED(114));
+            EACH(GET, _backboard_seam0_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_1)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_9, _seam_undecided_1), uncertain)
+            CALL(court_backboard_seam1, _backboard_seam1_1)(x, vx, FIXED(9), FIXED(114));
+            EACH(SET, _backboard_seam1_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_2)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_9, _seam_undecided_2), uncertain)
+            CALL(court_backboard_seam2, _backboard_seam2_1)(y, vy, FIXED(10), FIXED(116));
+            EACH(SET, _backboard_seam2_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_3)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_9, _seam_undecided_3), uncertain)
+            CALL(court_backboard_seam3, _backboard_seam3_1)(y, vy, FIXED(10), FIXED(116));
+            EACH(SET, _backboard_seam3_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_4)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_9, _seam_undecided_4), uncertain)
+            CALL(court_backboard_seam4, _backboard_seam4_1)(z, vz, FIXED(11), FIXED(118));
+            EACH(SET, _backboard_seam4_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_5)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_9, _seam_undecided_5), uncertain)
+            CALL(court_backboard_seam5, _backboard_seam5_1)(z, vz, FIXED(12), FIXED(118));
+            EACH(SET, _backboard_seam5_1, gap)
+            CALL(court_seam_undecided, _seam_undecided_6)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
+            EACH(SELECT, (_if_here_9, _seam_undecided_6), uncertain)
+        }
+#endif
+        CALL(court_other_surface, _other_surface_3)(K(2.0), which);
+        EACH(SET, _other_surface_3, beside)
+        const M _if_beside_3 = lanes_both(rows, beside);
+        if (lanes_any(_if_beside_3)) {
+            CALL(court_bridge_closing, _bridge_closing_1)(x, y, z, nx, ny, nz, rolled_x, rolled_y, rolled_z, rolling_acceleration_x, rolling_acceleration_y, rolling_acceleration_z, FIXED(6), FIXED(9), FIXED(13), FIXED(7), FIXED(8), FIXED(16));
+            EACH(GET, _bridge_closing_1, gap, nearing, rolling_gap_acceleration, normal_cosine)
+            CALL(court_near_body, _near_body_3)(gap, nearest, second_contact_gap, rolling_gap_acceleration, normal_cosine, press, nearing);
+            EACH(SELECT, (_if_beside_3, _near_body_3), nearest, second_contact_gap)
+        }
 #if BOUNDED
+        CALL(court_here, _here_10)(K(2.0), which);
+        EACH(SET, _here_10, here)
+        const M _if_here_10 = lanes_both(rows, here);
+        if (lanes_any(_if_here_10)) {
             CALL(court_bridge_seam0, _bridge_seam0_1)(x, vx, FIXED(9), FIXED(120));
-            EACH(SET, _bridge_seam0_1, gap)
+            EACH(GET, _bridge_seam0_1, gap)
             CALL(court_seam_undecided, _seam_undecided_7)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
-            EACH(SELECT, (_if_here_9, _seam_undecided_7), uncertain)
+            EACH(SELECT, (_if_here_10, _seam_undecided_7), uncertain)
             CALL(court_bridge_seam1, _bridge_seam1_1)(x, vx, FIXED(7), FIXED(120));
             EACH(SET, _bridge_seam1_1, gap)
             CALL(court_seam_undecided, _seam_undecided_8)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
-            EACH(SELECT, (_if_here_9, _seam_undecided_8), uncertain)
+            EACH(SELECT, (_if_here_10, _seam_undecided_8), uncertain)
             CALL(court_bridge_seam2, _bridge_seam2_1)(y, vy, FIXED(13), FIXED(122));
             EACH(SET, _bridge_seam2_1, gap)
             CALL(court_seam_undecided, _seam_undecided_9)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
-            EACH(SELECT, (_if_here_9, _seam_undecided_9), uncertain)
+            EACH(SELECT, (_if_here_10, _seam_undecided_9), uncertain)
             CALL(court_bridge_seam3, _bridge_seam3_1)(y, vy, FIXED(13), FIXED(122));
             EACH(SET, _bridge_seam3_1, gap)
             CALL(court_seam_undecided, _seam_undecided_10)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
-            EACH(SELECT, (_if_here_9, _seam_undecided_10), uncertain)
-            CALL(court_bridge_seam4, _bridge_seam4_1)(z, vz, FIXED(134), FIXED(8), FIXED(124));
+            EACH(SELECT, (_if_here_10, _seam_undecided_10), uncertain)
+            CALL(court_bridge_seam4, _bridge_seam4_1)(z, vz, FIXED(132), FIXED(8), FIXED(124));
             EACH(SET, _bridge_seam4_1, gap)
             CALL(court_seam_undecided, _seam_undecided_11)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
-            EACH(SELECT, (_if_here_9, _seam_undecided_11), uncertain)
+            EACH(SELECT, (_if_here_10, _seam_undecided_11), uncertain)
             CALL(court_bridge_seam5, _bridge_seam5_1)(z, vz, FIXED(8), FIXED(124));
             EACH(SET, _bridge_seam5_1, gap)
             CALL(court_seam_undecided, _seam_undecided_12)(x, y, z, gap, position_error, uncertain, nearly, FIXED(6));
-            EACH(SELECT, (_if_here_9, _seam_undecided_12), uncertain)
-#endif
-            CALL(court_end_beside, _end_beside_3)(z, vz, FIXED(18));
-            EACH(SET, _end_beside_3, gap)
-            CALL(court_near_end_plane, _near_end_plane_3)(gap, nearest);
-            EACH(SET, _near_end_plane_3, nearest)
-            CALL(court_bridge_separation, _bridge_separation_1)(x, y, z, vx, vy, vz, FIXED(9), FIXED(13), FIXED(21), FIXED(7), FIXED(8), FIXED(16), FIXED(23));
-            EACH(GET, _bridge_separation_1, lift, gap_jerk)
-            CALL(court_ring_impact_settling, _ring_impact_settling_3)(x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, OR_ZERO(position_error), OR_ZERO(velocity_error), mode, per_reach, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(186), FIXED(187), FIXED(188), FIXED(189), FIXED(190), FIXED(109), FIXED(111), FIXED(178), FIXED(191));
-            EACH(GET_MASK, _ring_impact_settling_3, settles, lodges, slides, unpressed)
-            BOUNDS(EACH(SELECT, (_if_here_9, _ring_impact_settling_3), assured))
-            EACH(GET_MASK, _ring_impact_settling_3, undecided)
-            CALL(court_settled, _settled_3)(K(2.0), OR_ZERO(position_error), OR_ZERO(velocity_error), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
-            EACH(SELECT, (_if_here_9, _settled_3), mode, held, outcome, slip_left)
-            BOUNDS(EACH(SELECT, (_if_here_9, _settled_3), uncertain))
+            EACH(SELECT, (_if_here_10, _seam_undecided_12), uncertain)
         }
-        EACH(STORE, slow_, held, mode, outcome, slip_left)
+#endif
+        CALL(court_end_beside, _end_beside_1)(z, vz, FIXED(18));
+        EACH(GET, _end_beside_1, gap)
+        CALL(court_near_end_plane, _near_end_plane_1)(gap, nearest);
+        EACH(SET, _near_end_plane_1, nearest)
+        CALL(court_other_kind, _other_kind_1)();
+        M struck_0 = _other_kind_1.of_this_kind;
+        CALL(court_ring_impact_taken, _ring_impact_taken_1)(p_ring_restitution, p_ring_friction);
+        V its_0_ring_impact = _ring_impact_taken_1.its_0;
+        V its_1_ring_impact = _ring_impact_taken_1.its_1;
+        {
 #if BOUNDED
-        EACH(STORE, slow_, assured, estimated, uncertain)
+            static const int _t5[][2] = {
+#else
+            static const int _t3[][2] = {
+#endif
+                {15, 12},
+                {16, 13},
+                {17, 14},
+            };
+#if BOUNDED
+            static const double _t6[][1] = {
+#else
+            static const double _t4[][1] = {
+#endif
+                {0.0},
+                {1.0},
+                {2.0},
+            };
+#if BOUNDED
+            for (size_t _k3 = 0; _k3 < 3; _k3++) {
+                const V own_1 = lanes_load((varying ? worklist->slow_parameters.columns[_t5[_k3][0]] : worklist->parameters.columns[_t5[_k3][0]]) + (i & varying));
+                const V own_2 = lanes_load((varying ? worklist->slow_parameters.columns[_t5[_k3][1]] : worklist->parameters.columns[_t5[_k3][1]]) + (i & varying));
+                const V own_index = K(_t6[_k3][0]);
+                CALL(court_here, _here_11)(own_index, which);
+                EACH(GET_MASK, _here_11, here)
+                const M _if_here_11 = lanes_both(rows, here);
+                if (lanes_any(_if_here_11)) {
+#else
+            for (size_t _k2 = 0; _k2 < 3; _k2++) {
+                const V own_1 = lanes_load((varying ? worklist->slow_parameters.columns[_t3[_k2][0]] : worklist->parameters.columns[_t3[_k2][0]]) + (i & varying));
+                const V own_2 = lanes_load((varying ? worklist->slow_parameters.columns[_t3[_k2][1]] : worklist->parameters.columns[_t3[_k2][1]]) + (i & varying));
+                const V own_index = K(_t4[_k2][0]);
+                CALL(court_here, _here_9)(own_index, which);
+                EACH(GET_MASK, _here_9, here)
+                const M _if_here_9 = lanes_both(rows, here);
+                if (lanes_any(_if_here_9)) {
+#endif
+                    CALL(court_ring_impact_taken, _ring_impact_taken_2)(own_2, own_1);
+#if BOUNDED
+                    struck_0 = lanes_choose(_if_here_11, _ring_impact_taken_2.of_this_kind, struck_0);
+                    its_0_ring_impact = lanes_select(_if_here_11, _ring_impact_taken_2.its_0, its_0_ring_impact);
+                    its_1_ring_impact = lanes_select(_if_here_11, _ring_impact_taken_2.its_1, its_1_ring_impact);
+#else
+                    struck_0 = lanes_choose(_if_here_9, _ring_impact_taken_2.of_this_kind, struck_0);
+                    its_0_ring_impact = lanes_select(_if_here_9, _ring_impact_taken_2.its_0, its_0_ring_impact);
+                    its_1_ring_impact = lanes_select(_if_here_9, _ring_impact_taken_2.its_1, its_1_ring_impact);
+#endif
+                }
+            }
+        }
+        const M _if_struck_0_1 = lanes_both(rows, struck_0);
+        if (lanes_any(_if_struck_0_1)) {
+            EACH(LOAD, slow_, held, outcome, slip_left)
+            BOUNDS(EACH(LOAD, slow_, assured))
+            CALL(court_ring_impact_settling, _ring_impact_settling_1)(its_1_ring_impact, its_0_ring_impact, x, y, z, nx, ny, nz, vx, vy, vz, wx, wy, wz, OR_ZERO(position_error), OR_ZERO(velocity_error), mode, per_reach, rolled_x, rolled_y, rolled_z, turning_x, turning_y, turning_z, slip, bounce, nearest, second_contact_gap, press, weight, rolling_friction, lift, gap_jerk, FIXED(6), FIXED(21), FIXED(109), FIXED(111), FIXED(170));
+            EACH(GET_MASK, _ring_impact_settling_1, settles, lodges, slides, unpressed)
+            BOUNDS(EACH(SELECT, (_if_struck_0_1, _ring_impact_settling_1), assured))
+            EACH(GET_MASK, _ring_impact_settling_1, undecided)
+            CALL(court_settled, _settled_1)(which, OR_ZERO(position_error), OR_ZERO(velocity_error), outcome, OR_ZERO(uncertain), undecided, mode, settles, nearly, lodges, slides, unpressed);
+            EACH(SELECT, (_if_struck_0_1, _settled_1), mode, held, outcome, slip_left)
+            BOUNDS(EACH(SELECT, (_if_struck_0_1, _settled_1), uncertain))
+            EACH(STORE, slow_, held, mode, outcome, slip_left)
+            BOUNDS(EACH(STORE, slow_, assured))
+        }
+#if BOUNDED
+        EACH(STORE, slow_, estimated, uncertain)
     }
 }
 
@@ -3675,7 +3667,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
         const M _if_moves_1 = moves;
         if (lanes_any(_if_moves_1)) {
 #if BOUNDED
-            CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(34), FIXED(20), FIXED(22), FIXED(37), FIXED(163));
+            CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(34), FIXED(20), FIXED(22), FIXED(37), FIXED(160));
             EACH(GET_MASK, _passing_undecided_1, undecided)
             CALL(court_undecided, _undecided_1)(uncertain, undecided);
             EACH(SELECT, (_if_moves_1, _undecided_1), uncertain)
@@ -3699,7 +3691,7 @@ static size_t LOOP(launch)(LOOP(worklist) *worklist, const court_job *job, size_
 #endif
         refused = lanes_either(refused, in_contact);
 #if BOUNDED
-        CALL(court_displacement, _displacement_1)(earliest_delay, when, extent, speed, position_error, velocity_error, FIXED(21), FIXED(164));
+        CALL(court_displacement, _displacement_1)(earliest_delay, when, extent, speed, position_error, velocity_error, FIXED(21), FIXED(161));
         V slack = _displacement_1.margin;
 #endif
         CALL(court_here, _here_1)(K(3.0), which);
@@ -5412,7 +5404,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
             const M _if_moves_1 = lanes_both(rows, moves);
             if (lanes_any(_if_moves_1)) {
 #if BOUNDED
-                CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(34), FIXED(20), FIXED(22), FIXED(37), FIXED(163));
+                CALL(court_passing_undecided, _passing_undecided_1)(when, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, FIXED(7), FIXED(21), FIXED(34), FIXED(20), FIXED(22), FIXED(37), FIXED(160));
                 EACH(GET_MASK, _passing_undecided_1, undecided)
                 CALL(court_undecided, _undecided_1)(uncertain, undecided);
                 EACH(SELECT, (_if_moves_1, _undecided_1), uncertain)
@@ -5448,7 +5440,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(STORE, , held, mode, rolls)
             }
 #if BOUNDED
-            CALL(court_displacement, _displacement_1)(earliest_delay, when, extent, speed, position_error, velocity_error, FIXED(21), FIXED(164));
+            CALL(court_displacement, _displacement_1)(earliest_delay, when, extent, speed, position_error, velocity_error, FIXED(21), FIXED(161));
             V slack = _displacement_1.margin;
 #endif
             CALL(court_here, _here_1)(K(3.0), which);
@@ -5537,7 +5529,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(GET_MASK, _again_1, again)
                 const M _if_again_1 = lanes_both(_if_meeting_1, again);
                 if (lanes_any(_if_again_1)) {
-                    CALL(court_ring_curvature, _ring_curvature_1)(FIXED(165));
+                    CALL(court_ring_curvature, _ring_curvature_1)(FIXED(162));
                     curving = lanes_select(_if_again_1, _ring_curvature_1.curvature, curving);
                     CALL(court_started, _started_1)(x, y, z, vx, vy, vz, when, FIXED(34));
                     EACH(GET, _started_1, from_x, from_y, from_z)
@@ -5644,7 +5636,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 EACH(SET, _here_8, here)
                 const M _if_here_8 = lanes_both(_if_meeting_1, here);
                 if (lanes_any(_if_here_8)) {
-                    CALL(court_ring_carry_normal, _ring_carry_normal_1)(x, y, dx, dy, dz, shift, FIXED(7), FIXED(107), FIXED(165));
+                    CALL(court_ring_carry_normal, _ring_carry_normal_1)(x, y, dx, dy, dz, shift, FIXED(7), FIXED(107), FIXED(162));
                     EACH(SELECT, (_if_here_8, _ring_carry_normal_1), dnx, dny, dnz, turn)
                 }
                 CALL(court_here, _here_9)(K(1.0), which);
@@ -5668,26 +5660,38 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                 V its_0_ring_impact = _ring_impact_taken_1.its_0;
                 V its_1_ring_impact = _ring_impact_taken_1.its_1;
                 {
+#if BOUNDED
+                    static const int _t3[][2] = {
+#else
                     static const int _t1[][2] = {
+#endif
                         {15, 12},
                         {16, 13},
                         {17, 14},
                     };
+#if BOUNDED
+                    static const double _t4[][1] = {
+#else
                     static const double _t2[][1] = {
+#endif
                         {0.0},
                         {1.0},
                         {2.0},
                     };
-                    for (size_t _k1 = 0; _k1 < 3; _k1++) {
-                        const V own_1 = lanes_load(worklist->parameters.columns[_t1[_k1][0]] + (i & varying));
-                        const V own_2 = lanes_load(worklist->parameters.columns[_t1[_k1][1]] + (i & varying));
-                        const V own_index = K(_t2[_k1][0]);
 #if BOUNDED
+                    for (size_t _k2 = 0; _k2 < 3; _k2++) {
+                        const V own_1 = lanes_load(worklist->parameters.columns[_t3[_k2][0]] + (i & varying));
+                        const V own_2 = lanes_load(worklist->parameters.columns[_t3[_k2][1]] + (i & varying));
+                        const V own_index = K(_t4[_k2][0]);
                         CALL(court_here, _here_11)(own_index, which);
                         EACH(GET_MASK, _here_11, here)
                         const M _if_here_11 = lanes_both(_if_meeting_1, here);
                         if (lanes_any(_if_here_11)) {
 #else
+                    for (size_t _k1 = 0; _k1 < 3; _k1++) {
+                        const V own_1 = lanes_load(worklist->parameters.columns[_t1[_k1][0]] + (i & varying));
+                        const V own_2 = lanes_load(worklist->parameters.columns[_t1[_k1][1]] + (i & varying));
+                        const V own_index = K(_t2[_k1][0]);
                         CALL(court_here, _here_5)(own_index, which);
                         EACH(GET_MASK, _here_5, here)
                         const M _if_here_5 = lanes_both(_if_meeting_1, here);
@@ -5711,7 +5715,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #if BOUNDED
                     const M _if_proves_contact_1 = lanes_both(_if_struck_0_1, proves_contact);
                     if (LANES_USUAL(_if_proves_contact_1)) {
-                        CALL(court_ring_impact_slip, _ring_impact_slip_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167), FIXED(168));
+                        CALL(court_ring_impact_slip, _ring_impact_slip_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(163), FIXED(164), FIXED(165));
                         EACH(GET, _ring_impact_slip_1, slip_share, slip_margin, slip_speed, slip_x)
                         EACH(GET, _ring_impact_slip_1, slip_y, slip_z)
                         CALL(court_bound_ring_impact, _bound_ring_impact_1)(lanes_narrow(when), lanes_narrow(x), lanes_narrow(y), lanes_narrow(z), lanes_narrow(vx), lanes_narrow(vy), lanes_narrow(vz), lanes_narrow(wx), lanes_narrow(wy), lanes_narrow(wz), lanes_narrow(nx), lanes_narrow(ny), lanes_narrow(nz), lanes_narrow(clock), frame_nx, frame_ny, frame_nz, place_n, place_s, place_e, pace_n, pace_s, pace_e, turn_n, turn_z, position_bound, velocity_bound, spin_bound, tangent_x, tangent_y, bend_s, bend_e, left_ex, left_ey, left_bend_s, left_bend_e, sharpest_bend, root_offset, root_level, normal_rounding, lanes_narrow(normal_velocity), lanes_narrow(back), lanes_narrow(slip_share), lanes_narrow(slip_margin), lanes_narrow(slip_speed), lanes_narrow(slip_x), lanes_narrow(slip_y), lanes_narrow(slip_z), lanes_narrow(its_0_ring_impact), lanes_narrow(its_1_ring_impact), FIXED_SINGLE(33), FIXED_SINGLE(0), FIXED_SINGLE(54), FIXED_SINGLE(20), FIXED_SINGLE(55), FIXED_SINGLE(56), FIXED_SINGLE(57), FIXED_SINGLE(58), FIXED_SINGLE(59), FIXED_SINGLE(38), FIXED_SINGLE(60), FIXED_SINGLE(61));
@@ -5737,21 +5741,21 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
                         CALL(court_clock_bound_sum, _clock_bound_sum_2)(proved_delay, clock_bound);
                         EACH(SELECT_SINGLE, (_if_proves_contact_1, _clock_bound_sum_2), clock_bound)
                     }
-                    CALL(court_ring_impact_undecided, _ring_impact_undecided_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167));
+                    CALL(court_ring_impact_undecided, _ring_impact_undecided_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(163), FIXED(164));
                     EACH(GET_MASK, _ring_impact_undecided_1, undecided)
                     CALL(court_undecided, _undecided_2)(uncertain, undecided);
                     EACH(SELECT, (_if_struck_0_1, _undecided_2), uncertain)
-                    CALL(court_carry_ring_impact, _carry_ring_impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167), FIXED(168), FIXED(169), FIXED(110));
+                    CALL(court_carry_ring_impact, _carry_ring_impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, lifting, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(163), FIXED(164), FIXED(165), FIXED(166), FIXED(110));
                     EACH(SELECT, (_if_struck_0_1, _carry_ring_impact_1), dvx, dvy, dvz, dwx, dwy)
                     EACH(SELECT, (_if_struck_0_1, _carry_ring_impact_1), dwz)
 #endif
-                    CALL(court_ring_impact, _ring_impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(166), FIXED(167), FIXED(168), FIXED(169));
+                    CALL(court_ring_impact, _ring_impact_1)(vx, vy, vz, wx, wy, wz, nx, ny, nz, its_0_ring_impact, its_1_ring_impact, FIXED(6), FIXED(163), FIXED(164), FIXED(165), FIXED(166));
                     EACH(SELECT, (_if_struck_0_1, _ring_impact_1), vx, vy, vz, wx, wy, wz)
                 }
                 const M _if_touches_1 = lanes_both(_if_meeting_1, touches);
                 {
 #if BOUNDED
-                    CALL(court_estimated_after_contact, _estimated_after_contact_1)(vx, vy, vz, nx, ny, nz, lanes_wide(position_bound), lanes_wide(velocity_bound), lanes_wide(spin_bound), estimated, FIXED(170));
+                    CALL(court_estimated_after_contact, _estimated_after_contact_1)(vx, vy, vz, nx, ny, nz, lanes_wide(position_bound), lanes_wide(velocity_bound), lanes_wide(spin_bound), estimated, FIXED(167));
                     EACH(SELECT, (_if_touches_1, _estimated_after_contact_1), estimated)
                 }
                 const M _if_touches_2 = lanes_both(_if_meeting_1, touches);
@@ -5763,7 +5767,7 @@ static void LOOP(run)(const court_job *job, LOOP(worklist) *const restrict workl
 #else
                     EACH(SELECT, (_if_touches_1, _touched_1), first, last)
 #endif
-                    CALL(court_leaves_slowly, _leaves_slowly_1)(nx, ny, nz, vx, vy, vz, OR_ZERO(position_error), FIXED(6), FIXED(21), FIXED(171), FIXED(172));
+                    CALL(court_leaves_slowly, _leaves_slowly_1)(nx, ny, nz, vx, vy, vz, OR_ZERO(position_error), FIXED(6), FIXED(21), FIXED(168), FIXED(169));
 #if BOUNDED
                     EACH(SELECT_MASK, (_if_touches_2, _leaves_slowly_1), slow)
                     EACH(SELECT, (_if_touches_2, _leaves_slowly_1), assured)

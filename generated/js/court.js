@@ -1,6 +1,6 @@
 /* Flight in the scene court, and where a body is touched.
 
-   Generated from templates/js/flight.js.j2, scene court, derivation f8a3aedb42671401,
+   Generated from templates/js/flight.js.j2, scene court, derivation 6850e5812fbcfc63,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Numbers in, an array of numbers out; SI units. */

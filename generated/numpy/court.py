@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation f8a3aedb42671401,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 6850e5812fbcfc63,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -246,7 +246,7 @@ class ResultField(NamedTuple):
     tally: str = ""
     tally_summary: str = ""
     proved: float | None = None
-    is_judged: bool = True
+    is_judged: bool = False
 
 
 FIELDS: tuple[Field, ...] = (
@@ -316,18 +316,18 @@ FIELDS: tuple[Field, ...] = (
 )
 
 RESULTS: tuple[ResultField, ...] = (
-    ResultField(name="outcome", dtype="uint8", columns=("outcome",), summary="how it ended", flags=("made", "missed", "capped", "short", "invalid", "lodged", "endless")),
-    ResultField(name="contacts", dtype="int32", columns=("contacts",), summary="contacts before the end"),
-    ResultField(name="counts", dtype="int32", columns=("count_0", "count_1", "count_2"), summary="contacts with each body", row=True, labels=("ring_contacts", "backboard_contacts", "bridge_contacts"), dimension="surface", coordinates=("ring", "backboard", "bridge")),
-    ResultField(name="first", dtype="int8", columns=("first",), summary="first body touched, -1: none", flags=("none", "ring", "backboard", "bridge"), first_flag=-1),
-    ResultField(name="time", dtype="float64", columns=("clock",), summary="s, at the end; capped or short: at the last contact", is_empty_if_invalid=True, units=("s",), is_at_end=True),
-    ResultField(name="state", dtype="float64", columns=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), summary="then", row=True, is_empty_if_invalid=True, labels=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), units=("m", "m", "m", "m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s"), dimension="component", coordinates=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), unit_coordinate="unit", is_at_end=True),
+    ResultField(name="outcome", dtype="uint8", columns=("outcome",), summary="how it ended", flags=("made", "missed", "capped", "short", "invalid", "lodged", "endless"), is_judged=True),
+    ResultField(name="contacts", dtype="int32", columns=("contacts",), summary="contacts before the end", is_judged=True),
+    ResultField(name="counts", dtype="int32", columns=("count_0", "count_1", "count_2"), summary="contacts with each body", row=True, labels=("ring_contacts", "backboard_contacts", "bridge_contacts"), dimension="surface", coordinates=("ring", "backboard", "bridge"), is_judged=True),
+    ResultField(name="first", dtype="int8", columns=("first",), summary="first body touched, -1: none", flags=("none", "ring", "backboard", "bridge"), first_flag=-1, is_judged=True),
+    ResultField(name="time", dtype="float64", columns=("clock",), summary="s, at the end; capped or short: at the last contact", is_empty_if_invalid=True, units=("s",), is_at_end=True, is_judged=True),
+    ResultField(name="state", dtype="float64", columns=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), summary="then", row=True, is_empty_if_invalid=True, labels=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), units=("m", "m", "m", "m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s"), dimension="component", coordinates=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), unit_coordinate="unit", is_at_end=True, is_judged=True),
     ResultField(name="rolls", dtype="int32", columns=("rolls",), summary="how many times it began to roll", absence="no ball rolls", tally="rolled", tally_summary="shots that rolled", proved=0.0),
     ResultField(name="slip_left", dtype="bool", columns=("slip_left",), summary="its bounces ended with slip left, and so it is capped", absence="no ball rolls", tally="slip_left", tally_summary="capped shots whose bounces ended with slip left", proved=0.0),
     ResultField(name="grip_lost", dtype="float64", columns=("grip_lost",), summary="s, when friction first was too little for the ball to roll as it did; infinite: never", is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, absence="no ball rolls", units=("s",), proved=_inf),
-    ResultField(name="time_error", dtype="float64", columns=("time_claim",), summary="bound on the error of time", is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, switch="claims", units=("s",)),
-    ResultField(name="state_error", dtype="float64", columns=("position_claim", "velocity_claim", "spin_claim"), summary="bounds on the errors of each component of position, velocity and spin", row=True, is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, switch="claims", labels=("position_error", "velocity_error", "spin_error"), units=("m", "m/s", "rad/s"), dimension="part", coordinates=("position", "velocity", "spin")),
-    ResultField(name="uncertain", dtype="bool", columns=("uncertain",), summary="a decision lies within its rounding-error bound", is_diagnostic=True),
+    ResultField(name="time_error", dtype="float64", columns=("time_claim",), summary="bound on the error of time", is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, switch="claims", units=("s",), is_judged=True),
+    ResultField(name="state_error", dtype="float64", columns=("position_claim", "velocity_claim", "spin_claim"), summary="bounds on the errors of each component of position, velocity and spin", row=True, is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, switch="claims", labels=("position_error", "velocity_error", "spin_error"), units=("m", "m/s", "rad/s"), dimension="part", coordinates=("position", "velocity", "spin"), is_judged=True),
+    ResultField(name="uncertain", dtype="bool", columns=("uncertain",), summary="a decision lies within its rounding-error bound", is_diagnostic=True, is_judged=True),
     ResultField(name="estimated", dtype="bool", columns=("estimated",), summary="its flag and the bounds on its errors are estimated, not proved", is_diagnostic=True, absence="the bounds of all shots are proved, or those of all are estimated", proved=0.0),
 )
 """The results of a shot, in the order of the C struct."""
@@ -485,6 +485,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "contact_undecided": ("uncertain",),
     "holding": ("here",),
     "beside": ("beside",),
+    "other_surface": ("beside",),
     "no_departure": ("hopped",),
     "beginning_contact": ("which", "circled",),
     "detachment": ("which",),
@@ -3054,6 +3055,14 @@ def beside(index: Any, held: Any) -> tuple[Any, ...]:
     Table 1. 2 operations: 1 comparison, 1 complement.
     """
     return _logical_not((held == index)),
+
+
+def other_surface(index: Any, which: Any) -> tuple[Any, ...]:
+    """Whether a surface is another than that of the event.
+
+    Table 1. 2 operations: 1 comparison, 1 complement.
+    """
+    return _logical_not((which == index)),
 
 
 def no_departure() -> tuple[Any, ...]:
@@ -10163,12 +10172,13 @@ def _alone25(_circled_: Any, _clock_: Any, _clock_bound_: Any, _clock_error_: An
         _lift_7_, _, _, _, _vx_8_, _vy_8_, _vz_8_, _nx_8_, _ny_8_, _nz_8_, _turn_rate_8_ = _roll_7_alone(_p_gravity_, _p_inertia_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _nx_7_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _ny_7_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _bent_x_, _bent_y_, _bent_z_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _tx_6_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _ty_6_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _tz_6_)
         _stride_, _missed_, _strongest_, _fastest_, _force_, _force_rate_, _force_bend_, _friction_force_rate_ = _roll_step_alone(_p_gravity_, _p_inertia_, _nx_8_, _ny_8_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _nz_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _lift_7_)
         _rolling_friction_, _rolling_friction_rate_, _grip_deficit_, _grip_deficit_rate_ = _ring_friction_alone(_p_gravity_, _p_inertia_, _nx_0_, _nx_1_, _ny_0_, _ny_1_, _nz_0_, _nz_1_, _turn_rate_0_, _turn_rate_1_, _tx_0_, _tx_1_, _ty_0_, _ty_1_, _tz_0_, _tz_1_)
-        _here_, = _holding_alone(_k1, _held_)
-        if _here_:
-            _grip_deficit_, _grip_deficit_rate_ = _ring_impact_grip_deficit_alone(_p_backboard_friction_, _rolling_friction_, _rolling_friction_rate_, _force_, _force_rate_)
-        _here_, = _holding_alone(_k44, _held_)
-        if _here_:
-            _grip_deficit_, _grip_deficit_rate_ = _ring_impact_grip_deficit_alone(_p_bridge_friction_, _rolling_friction_, _rolling_friction_rate_, _force_, _force_rate_)
+        for _own_index_, _own_1_, in (
+            (_k1, _p_backboard_friction_,),
+            (_k44, _p_bridge_friction_,),
+        ):
+            _here_, = _holding_alone(_own_index_, _held_)
+            if _here_:
+                _grip_deficit_, _grip_deficit_rate_ = _ring_impact_grip_deficit_alone(_own_1_, _rolling_friction_, _rolling_friction_rate_, _force_, _force_rate_)
         _loses_, = _exceeds_grip_alone(_grip_deficit_, _grip_lost_)
         if _loses_:
             _grip_lost_, = _grip_lost_time_alone(_clock_, _grip_deficit_, _grip_deficit_rate_, _last_grip_deficit_, _last_grip_deficit_rate_, _last_grip_clock_)
@@ -10426,12 +10436,13 @@ def _alone26(_bent_x_: Any, _bent_y_: Any, _bent_z_: Any, _clock_: Any, _clock_b
         _lift_7_, _, _, _, _vx_8_, _vy_8_, _vz_8_, _nx_8_, _ny_8_, _nz_8_, _turn_rate_8_ = _roll_7_alone(_p_gravity_, _p_inertia_, _nx_0_, _nx_1_, _nx_2_, _nx_3_, _nx_4_, _nx_5_, _nx_6_, _nx_7_, _ny_0_, _ny_1_, _ny_2_, _ny_3_, _ny_4_, _ny_5_, _ny_6_, _ny_7_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _bent_x_, _bent_y_, _bent_z_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _tx_0_, _tx_1_, _tx_2_, _tx_3_, _tx_4_, _tx_5_, _tx_6_, _ty_0_, _ty_1_, _ty_2_, _ty_3_, _ty_4_, _ty_5_, _ty_6_, _tz_0_, _tz_1_, _tz_2_, _tz_3_, _tz_4_, _tz_5_, _tz_6_)
         _stride_, _missed_, _strongest_, _fastest_, _force_, _force_rate_, _force_bend_, _friction_force_rate_ = _roll_step_alone(_p_gravity_, _p_inertia_, _nx_8_, _ny_8_, _nz_0_, _nz_1_, _nz_2_, _nz_3_, _nz_4_, _nz_5_, _nz_6_, _nz_7_, _nz_8_, _vx_0_, _vx_1_, _vx_2_, _vx_3_, _vx_4_, _vx_5_, _vx_6_, _vx_7_, _vx_8_, _vy_0_, _vy_1_, _vy_2_, _vy_3_, _vy_4_, _vy_5_, _vy_6_, _vy_7_, _vy_8_, _vz_0_, _vz_1_, _vz_2_, _vz_3_, _vz_4_, _vz_5_, _vz_6_, _vz_7_, _vz_8_, _per_reach_, _turn_rate_0_, _turn_rate_1_, _turn_rate_2_, _turn_rate_3_, _turn_rate_4_, _turn_rate_5_, _turn_rate_6_, _turn_rate_7_, _turn_rate_8_, _lift_0_, _lift_1_, _lift_2_, _lift_3_, _lift_4_, _lift_5_, _lift_6_, _lift_7_)
         _rolling_friction_, _rolling_friction_rate_, _grip_deficit_, _grip_deficit_rate_ = _ring_friction_alone(_p_gravity_, _p_inertia_, _nx_0_, _nx_1_, _ny_0_, _ny_1_, _nz_0_, _nz_1_, _turn_rate_0_, _turn_rate_1_, _tx_0_, _tx_1_, _ty_0_, _ty_1_, _tz_0_, _tz_1_)
-        _here_, = _holding_alone(_k1, _held_)
-        if _here_:
-            _grip_deficit_, _grip_deficit_rate_ = _ring_impact_grip_deficit_alone(_p_backboard_friction_, _rolling_friction_, _rolling_friction_rate_, _force_, _force_rate_)
-        _here_, = _holding_alone(_k44, _held_)
-        if _here_:
-            _grip_deficit_, _grip_deficit_rate_ = _ring_impact_grip_deficit_alone(_p_bridge_friction_, _rolling_friction_, _rolling_friction_rate_, _force_, _force_rate_)
+        for _own_index_, _own_1_, in (
+            (_k1, _p_backboard_friction_,),
+            (_k44, _p_bridge_friction_,),
+        ):
+            _here_, = _holding_alone(_own_index_, _held_)
+            if _here_:
+                _grip_deficit_, _grip_deficit_rate_ = _ring_impact_grip_deficit_alone(_own_1_, _rolling_friction_, _rolling_friction_rate_, _force_, _force_rate_)
         _loses_, = _exceeds_grip_alone(_grip_deficit_, _grip_lost_)
         if _loses_:
             _grip_lost_, = _grip_lost_time_alone(_clock_, _grip_deficit_, _grip_deficit_rate_, _last_grip_deficit_, _last_grip_deficit_rate_, _last_grip_clock_)
@@ -11571,63 +11582,75 @@ def resolve_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1 = _put(_rows17, _count12, (_nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,), (_nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2,))
         _nearly_1, = nearly(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _room_1)
         _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _bounce_1 = gripped(_p_ball_radius_1, _p_inertia_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _room_1)
-        _here_1, = here(0.0, _which_1)
+        _, _, _, _per_reach_1 = ring_rolling_surface(_p_ball_radius_1, _p_wire_radius_1)
+        _turning_x_1, _turning_y_1, _turning_z_1 = ring_turning(_p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _x_1, _y_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _room_1)
+        _lift_1, _gap_jerk_1, *_ = ring_separation(_p_gravity_1, _p_ring_radius_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _room_1)
+        _here_1, = here(1.0, _which_1)
         _rows23, _count24 = _most(_here_1, _count12)
         if _count24:
-            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows23, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows23, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count24)
-            _, _, _, _per_reach_2 = ring_rolling_surface(_p_ball_radius_2, _p_wire_radius_2)
-            _turning_x_2, _turning_y_2, _turning_z_2 = ring_turning(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
-            _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = isolated()
-            _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = backboard_closing(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
-            _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = bridge_closing(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
-            _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _nearest_2, = near_end_plane(_gap_2, _nearest_2)
-            _lift_2, _gap_jerk_2, *_ = ring_separation(_p_gravity_2, _p_ring_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, 0.0, 0.0, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(0.0, 0.0, 0.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows23, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
-        _here_1, = here(1.0, _which_1)
-        _rows25, _count26 = _most(_here_1, _count12)
-        if _count26:
-            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows25, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count26)
             _, _, _, _per_reach_2 = backboard_rolling_surface(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _turning_x_2, _turning_y_2, _turning_z_2 = backboard_turning(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
-            _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = isolated()
-            _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = ring_closing(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
-            _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = bridge_closing(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
-            _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _nearest_2, = near_end_plane(_gap_2, _nearest_2)
             _lift_2, _gap_jerk_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, 0.0, 0.0, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(1.0, 0.0, 0.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows25, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
+            _gap_jerk_1, _lift_1, _per_reach_1, _turning_x_1, _turning_y_1, _turning_z_1 = _put(_rows23, _count12, (_gap_jerk_1, _lift_1, _per_reach_1, _turning_x_1, _turning_y_1, _turning_z_1,), (_gap_jerk_2, _lift_2, _per_reach_2, _turning_x_2, _turning_y_2, _turning_z_2,), _here_1)
         _here_1, = here(2.0, _which_1)
-        _rows27, _count28 = _most(_here_1, _count12)
-        if _count28:
-            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows27, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count28)
+        _rows25, _count26 = _most(_here_1, _count12)
+        if _count26:
+            _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows25, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count26)
             _, _, _, _per_reach_2 = bridge_rolling_surface(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _turning_x_2, _turning_y_2, _turning_z_2 = bridge_turning(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
-            _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = isolated()
+            _lift_2, _gap_jerk_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
+            _gap_jerk_1, _lift_1, _per_reach_1, _turning_x_1, _turning_y_1, _turning_z_1 = _put(_rows25, _count12, (_gap_jerk_1, _lift_1, _per_reach_1, _turning_x_1, _turning_y_1, _turning_z_1,), (_gap_jerk_2, _lift_2, _per_reach_2, _turning_x_2, _turning_y_2, _turning_z_2,), _here_1)
+        _press_1, _weight_1, _rolling_friction_1, _rolling_acceleration_x_1, _rolling_acceleration_y_1, _rolling_acceleration_z_1 = pressed_on(_p_ball_radius_1, _p_gravity_1, _p_inertia_1, _nx_1, _ny_1, _nz_1, _wx_1, _wy_1, _wz_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _turning_x_1, _turning_y_1, _turning_z_1, _room_1)
+        _nearest_1, _second_contact_gap_1 = isolated()
+        _beside_1, = other_surface(0.0, _which_1)
+        _rows27, _count28 = _most(_beside_1, _count12)
+        if _count28:
+            _nearest_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _press_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _second_contact_gap_2, _x_2, _y_2, _z_2 = _taken(_rows27, _nearest_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _press_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _rolling_acceleration_x_1, _rolling_acceleration_y_1, _rolling_acceleration_z_1, _second_contact_gap_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count28)
             _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = ring_closing(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+            _nearest_1, _second_contact_gap_1 = _put(_rows27, _count12, (_nearest_1, _second_contact_gap_1,), (_nearest_2, _second_contact_gap_2,), _beside_1)
+        _beside_1, = other_surface(1.0, _which_1)
+        _rows29, _count30 = _most(_beside_1, _count12)
+        if _count30:
+            _nearest_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _press_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _second_contact_gap_2, _x_2, _y_2, _z_2 = _taken(_rows29, _nearest_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _press_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _rolling_acceleration_x_1, _rolling_acceleration_y_1, _rolling_acceleration_z_1, _second_contact_gap_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count30)
             _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = backboard_closing(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
-            _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _nearest_2, = near_end_plane(_gap_2, _nearest_2)
-            _lift_2, _gap_jerk_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, 0.0, 0.0, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(2.0, 0.0, 0.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows27, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _here_1)
+            _nearest_1, _second_contact_gap_1 = _put(_rows29, _count12, (_nearest_1, _second_contact_gap_1,), (_nearest_2, _second_contact_gap_2,), _beside_1)
+        _beside_1, = other_surface(2.0, _which_1)
+        _rows31, _count32 = _most(_beside_1, _count12)
+        if _count32:
+            _nearest_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _press_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _second_contact_gap_2, _x_2, _y_2, _z_2 = _taken(_rows31, _nearest_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_ring_radius_1, _p_wire_radius_1, _press_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _rolling_acceleration_x_1, _rolling_acceleration_y_1, _rolling_acceleration_z_1, _second_contact_gap_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count32)
+            _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = bridge_closing(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
+            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+            _nearest_1, _second_contact_gap_1 = _put(_rows31, _count12, (_nearest_1, _second_contact_gap_1,), (_nearest_2, _second_contact_gap_2,), _beside_1)
+        _gap_1, *_ = end_beside(_p_end_depth_1, _z_1, _vz_1)
+        _nearest_1, = near_end_plane(_gap_1, _nearest_1)
+        _struck_0_1, = other_kind()
+        _, _its_0_ring_impact_1, _its_1_ring_impact_1 = ring_impact_taken(_p_ring_restitution_1, _p_ring_friction_1)
+        for _own_index_1, _own_1_1, _own_2_1, in (
+            (0.0, _p_ring_friction_1, _p_ring_restitution_1,),
+            (1.0, _p_backboard_friction_1, _p_backboard_restitution_1,),
+            (2.0, _p_bridge_friction_1, _p_bridge_restitution_1,),
+        ):
+            _here_1, = here(_own_index_1, _which_1)
+            _rows33, _count34 = _most(_here_1, _count12)
+            if _count34:
+                _own_1_2, _own_2_2 = _taken(_rows33, _own_1_1, _own_2_1)
+                _struck_0_2, _its_0_ring_impact_2, _its_1_ring_impact_2 = ring_impact_taken(_own_2_2, _own_1_2)
+                _its_0_ring_impact_1, _its_1_ring_impact_1, _struck_0_1 = _put(_rows33, _count12, (_its_0_ring_impact_1, _its_1_ring_impact_1, _struck_0_1,), (_its_0_ring_impact_2, _its_1_ring_impact_2, _struck_0_2,), _here_1)
+        _rows35, _count36 = _most(_struck_0_1, _count12)
+        if _count36:
+            _bounce_2, _gap_jerk_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _lift_2, _mode_2, _nearest_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_gravity_2, _p_inertia_2, _per_reach_2, _press_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_friction_2, _second_contact_gap_2, _slip_2, _turning_x_2, _turning_y_2, _turning_z_2, _vx_2, _vy_2, _vz_2, _weight_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows35, _bounce_1, _gap_jerk_1, _its_0_ring_impact_1, _its_1_ring_impact_1, _lift_1, _mode_1, _nearest_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_gravity_1, _p_inertia_1, _per_reach_1, _press_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _rolling_friction_1, _second_contact_gap_1, _slip_1, _turning_x_1, _turning_y_1, _turning_z_1, _vx_1, _vy_1, _vz_1, _weight_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count36)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _its_1_ring_impact_2, _its_0_ring_impact_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, 0.0, 0.0, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, *_ = settled(_which_2, 0.0, 0.0, _outcome_2, 0.0, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _held_1, _mode_1, _outcome_1, _slip_left_1 = _put(_rows35, _count12, (_held_1, _mode_1, _outcome_1, _slip_left_1,), (_held_2, _mode_2, _outcome_2, _slip_left_2,), _struck_0_1)
         _held_0, _mode_0, _outcome_0, _slip_left_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows11, shots, (_held_0, _mode_0, _outcome_0, _slip_left_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_held_1, _mode_1, _outcome_1, _slip_left_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,))
     columns |= {"count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "first": _first_0, "held": _held_0, "last": _last_0, "mode": _mode_0, "outcome": _outcome_0, "slip_left": _slip_left_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }
 
@@ -12223,12 +12246,13 @@ def detect_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _lift_7_2, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _nx_8_2, _ny_8_2, _nz_8_2, _turn_rate_8_2 = roll_7(_p_gravity_2, _p_inertia_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _bent_x_2, _bent_y_2, _bent_z_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _room_2)
                 _stride_2, _missed_2, _strongest_2, _fastest_2, _force_2, _force_rate_2, _force_bend_2, _friction_force_rate_2 = roll_step(_p_gravity_2, _p_inertia_2, _nx_8_2, _ny_8_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _nz_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _lift_7_2, _room_2)
                 _rolling_friction_2, _rolling_friction_rate_2, _grip_deficit_2, _grip_deficit_rate_2 = ring_friction(_p_gravity_2, _p_inertia_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _room_2)
-                _here_2, = holding(1.0, _held_2)
-                _grip_deficit_3, _grip_deficit_rate_3 = ring_impact_grip_deficit(_p_backboard_friction_2, _rolling_friction_2, _rolling_friction_rate_2, _force_2, _force_rate_2)
-                _grip_deficit_2, _grip_deficit_rate_2 = _choose(_here_2, (_grip_deficit_3, _grip_deficit_rate_3,), (_grip_deficit_2, _grip_deficit_rate_2,))
-                _here_2, = holding(2.0, _held_2)
-                _grip_deficit_3, _grip_deficit_rate_3 = ring_impact_grip_deficit(_p_bridge_friction_2, _rolling_friction_2, _rolling_friction_rate_2, _force_2, _force_rate_2)
-                _grip_deficit_2, _grip_deficit_rate_2 = _choose(_here_2, (_grip_deficit_3, _grip_deficit_rate_3,), (_grip_deficit_2, _grip_deficit_rate_2,))
+                for _own_index_2, _own_1_2, in (
+                    (1.0, _p_backboard_friction_2,),
+                    (2.0, _p_bridge_friction_2,),
+                ):
+                    _here_2, = holding(_own_index_2, _held_2)
+                    _grip_deficit_3, _grip_deficit_rate_3 = ring_impact_grip_deficit(_own_1_2, _rolling_friction_2, _rolling_friction_rate_2, _force_2, _force_rate_2)
+                    _grip_deficit_2, _grip_deficit_rate_2 = _choose(_here_2, (_grip_deficit_3, _grip_deficit_rate_3,), (_grip_deficit_2, _grip_deficit_rate_2,))
                 _loses_2, = exceeds_grip(_grip_deficit_2, _grip_lost_2)
                 _rows92, _count93 = _most(_loses_2, _count86)
                 if _count93:
@@ -12866,36 +12890,50 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _nearly_1, = nearly(_p_ball_radius_1, _p_gravity_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _room_1)
         _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _bounce_1 = gripped(_p_ball_radius_1, _p_inertia_1, _nx_1, _ny_1, _nz_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _room_1)
         _position_error_1, _velocity_error_1, *_ = error_bounds(_clock_error_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _double(_position_bound_1), _double(_velocity_bound_1), _double(_spin_bound_1), _estimated_1, _double(_clock_bound_1), _room_1)
-        _here_1, = here(0.0, _which_1)
+        _, _, _, _per_reach_1 = ring_rolling_surface(_p_ball_radius_1, _p_wire_radius_1)
+        _turning_x_1, _turning_y_1, _turning_z_1 = ring_turning(_p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _x_1, _y_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _room_1)
+        _lift_1, _gap_jerk_1, *_ = ring_separation(_p_gravity_1, _p_ring_radius_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _room_1)
+        _here_1, = here(1.0, _which_1)
         _rows45, _count46 = _most(_here_1, _count34)
         if _count46:
-            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_radius_2, _p_ring_restitution_2, _p_wire_radius_2, _position_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows45, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_friction_1, _p_ring_radius_1, _p_ring_restitution_1, _p_wire_radius_1, _position_error_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows45, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_gravity_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
             _room_2 = room(_count46)
-            _, _, _, _per_reach_2 = ring_rolling_surface(_p_ball_radius_2, _p_wire_radius_2)
-            _turning_x_2, _turning_y_2, _turning_z_2 = ring_turning(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
-            _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = isolated()
-            _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = backboard_closing(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
-            _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = bridge_closing(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
-            _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _nearest_2, = near_end_plane(_gap_2, _nearest_2)
-            _lift_2, _gap_jerk_2, *_ = ring_separation(_p_gravity_2, _p_ring_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_ring_friction_2, _p_ring_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _position_error_2, _velocity_error_2, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(0.0, _position_error_2, _velocity_error_2, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows45, _count34, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
-        _here_1, = here(1.0, _which_1)
-        _rows47, _count48 = _most(_here_1, _count34)
-        if _count48:
-            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_backboard_friction_2, _p_backboard_restitution_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows47, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_backboard_friction_1, _p_backboard_restitution_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count48)
             _, _, _, _per_reach_2 = backboard_rolling_surface(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
             _turning_x_2, _turning_y_2, _turning_z_2 = backboard_turning(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
-            _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = isolated()
+            _lift_2, _gap_jerk_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
+            _gap_jerk_1, _lift_1, _per_reach_1, _turning_x_1, _turning_y_1, _turning_z_1 = _put(_rows45, _count34, (_gap_jerk_1, _lift_1, _per_reach_1, _turning_x_1, _turning_y_1, _turning_z_1,), (_gap_jerk_2, _lift_2, _per_reach_2, _turning_x_2, _turning_y_2, _turning_z_2,), _here_1)
+        _here_1, = here(2.0, _which_1)
+        _rows47, _count48 = _most(_here_1, _count34)
+        if _count48:
+            _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows47, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_gravity_1, _p_ring_radius_1, _p_wire_radius_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count48)
+            _, _, _, _per_reach_2 = bridge_rolling_surface(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
+            _turning_x_2, _turning_y_2, _turning_z_2 = bridge_turning(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
+            _lift_2, _gap_jerk_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
+            _gap_jerk_1, _lift_1, _per_reach_1, _turning_x_1, _turning_y_1, _turning_z_1 = _put(_rows47, _count34, (_gap_jerk_1, _lift_1, _per_reach_1, _turning_x_1, _turning_y_1, _turning_z_1,), (_gap_jerk_2, _lift_2, _per_reach_2, _turning_x_2, _turning_y_2, _turning_z_2,), _here_1)
+        _press_1, _weight_1, _rolling_friction_1, _rolling_acceleration_x_1, _rolling_acceleration_y_1, _rolling_acceleration_z_1 = pressed_on(_p_ball_radius_1, _p_gravity_1, _p_inertia_1, _nx_1, _ny_1, _nz_1, _wx_1, _wy_1, _wz_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _turning_x_1, _turning_y_1, _turning_z_1, _room_1)
+        _nearest_1, _second_contact_gap_1 = isolated()
+        _beside_1, = other_surface(0.0, _which_1)
+        _rows49, _count50 = _most(_beside_1, _count34)
+        if _count50:
+            _nearest_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _press_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _second_contact_gap_2, _x_2, _y_2, _z_2 = _taken(_rows49, _nearest_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _press_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _rolling_acceleration_x_1, _rolling_acceleration_y_1, _rolling_acceleration_z_1, _second_contact_gap_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count50)
             _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = ring_closing(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+            _nearest_1, _second_contact_gap_1 = _put(_rows49, _count34, (_nearest_1, _second_contact_gap_1,), (_nearest_2, _second_contact_gap_2,), _beside_1)
+        _beside_1, = other_surface(1.0, _which_1)
+        _rows51, _count52 = _most(_beside_1, _count34)
+        if _count52:
+            _nearest_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _press_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _second_contact_gap_2, _x_2, _y_2, _z_2 = _taken(_rows51, _nearest_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _press_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _rolling_acceleration_x_1, _rolling_acceleration_y_1, _rolling_acceleration_z_1, _second_contact_gap_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count52)
+            _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = backboard_closing(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
+            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+            _nearest_1, _second_contact_gap_1 = _put(_rows51, _count34, (_nearest_1, _second_contact_gap_1,), (_nearest_2, _second_contact_gap_2,), _beside_1)
+        _here_1, = here(1.0, _which_1)
+        _rows53, _count54 = _most(_here_1, _count34)
+        if _count54:
+            _nearly_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _position_error_2, _uncertain_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows53, _nearly_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _position_error_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count54)
             _gap_2, *_ = backboard_seam0(_p_ball_radius_2, _p_board_distance_2, _p_board_thickness_2, _x_2, _vx_2)
             _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
             _gap_2, *_ = backboard_seam1(_p_ball_radius_2, _p_board_distance_2, _p_board_thickness_2, _x_2, _vx_2)
@@ -12908,27 +12946,20 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
             _gap_2, *_ = backboard_seam5(_p_ball_radius_2, _p_board_bottom_2, _p_board_top_2, _z_2, _vz_2)
             _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
+            _uncertain_1, = _put(_rows53, _count34, (_uncertain_1,), (_uncertain_2,), _here_1)
+        _beside_1, = other_surface(2.0, _which_1)
+        _rows55, _count56 = _most(_beside_1, _count34)
+        if _count56:
+            _nearest_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _press_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _second_contact_gap_2, _x_2, _y_2, _z_2 = _taken(_rows55, _nearest_1, _nx_1, _ny_1, _nz_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_ring_radius_1, _p_wire_radius_1, _press_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _rolling_acceleration_x_1, _rolling_acceleration_y_1, _rolling_acceleration_z_1, _second_contact_gap_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count56)
             _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = bridge_closing(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
             _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
-            _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _nearest_2, = near_end_plane(_gap_2, _nearest_2)
-            _lift_2, _gap_jerk_2, *_ = backboard_separation(_p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_gravity_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_backboard_friction_2, _p_backboard_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _position_error_2, _velocity_error_2, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(1.0, _position_error_2, _velocity_error_2, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows47, _count34, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
+            _nearest_1, _second_contact_gap_1 = _put(_rows55, _count34, (_nearest_1, _second_contact_gap_1,), (_nearest_2, _second_contact_gap_2,), _beside_1)
         _here_1, = here(2.0, _which_1)
-        _rows49, _count50 = _most(_here_1, _count34)
-        if _count50:
-            _bounce_2, _mode_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _p_bridge_depth_2, _p_bridge_friction_2, _p_bridge_half_width_2, _p_bridge_restitution_2, _p_end_depth_2, _p_gravity_2, _p_inertia_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _slip_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows49, _bounce_1, _mode_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_board_bottom_1, _p_board_distance_1, _p_board_half_width_1, _p_board_thickness_1, _p_board_top_1, _p_bridge_depth_1, _p_bridge_friction_1, _p_bridge_half_width_1, _p_bridge_restitution_1, _p_end_depth_1, _p_gravity_1, _p_inertia_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _slip_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count50)
-            _, _, _, _per_reach_2 = bridge_rolling_surface(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _turning_x_2, _turning_y_2, _turning_z_2 = bridge_turning(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _room_2)
-            _press_2, _weight_2, _rolling_friction_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2 = pressed_on(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = isolated()
-            _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = ring_closing(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
-            _gap_2, _nearing_2, _rolling_gap_acceleration_2, _normal_cosine_2 = backboard_closing(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_acceleration_x_2, _rolling_acceleration_y_2, _rolling_acceleration_z_2, _room_2)
-            _nearest_2, _second_contact_gap_2 = near_body(_gap_2, _nearest_2, _second_contact_gap_2, _rolling_gap_acceleration_2, _normal_cosine_2, _press_2, _nearing_2, _room_2)
+        _rows57, _count58 = _most(_here_1, _count34)
+        if _count58:
+            _nearly_2, _p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _position_error_2, _uncertain_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2 = _taken(_rows57, _nearly_1, _p_ball_radius_1, _p_board_distance_1, _p_bridge_depth_1, _p_bridge_half_width_1, _p_ring_radius_1, _p_wire_radius_1, _position_error_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count58)
             _gap_2, *_ = bridge_seam0(_p_ball_radius_2, _p_board_distance_2, _p_ring_radius_2, _x_2, _vx_2)
             _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
             _gap_2, *_ = bridge_seam1(_p_ball_radius_2, _p_board_distance_2, _p_ring_radius_2, _x_2, _vx_2)
@@ -12941,36 +12972,53 @@ def resolve_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
             _gap_2, *_ = bridge_seam5(_p_ball_radius_2, _p_bridge_depth_2, _p_wire_radius_2, _z_2, _vz_2)
             _uncertain_2, = seam_undecided(_p_ball_radius_2, _x_2, _y_2, _z_2, _gap_2, _position_error_2, _uncertain_2, _nearly_2, _room_2)
-            _gap_2, *_ = end_beside(_p_end_depth_2, _z_2, _vz_2)
-            _nearest_2, = near_end_plane(_gap_2, _nearest_2)
-            _lift_2, _gap_jerk_2, *_ = bridge_separation(_p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_gravity_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _room_2)
-            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _p_bridge_friction_2, _p_bridge_restitution_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _position_error_2, _velocity_error_2, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
-            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(2.0, _position_error_2, _velocity_error_2, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
-            _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows49, _count34, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _here_1)
+            _uncertain_1, = _put(_rows57, _count34, (_uncertain_1,), (_uncertain_2,), _here_1)
+        _gap_1, *_ = end_beside(_p_end_depth_1, _z_1, _vz_1)
+        _nearest_1, = near_end_plane(_gap_1, _nearest_1)
+        _struck_0_1, = other_kind()
+        _, _its_0_ring_impact_1, _its_1_ring_impact_1 = ring_impact_taken(_p_ring_restitution_1, _p_ring_friction_1)
+        for _own_index_1, _own_1_1, _own_2_1, in (
+            (0.0, _p_ring_friction_1, _p_ring_restitution_1,),
+            (1.0, _p_backboard_friction_1, _p_backboard_restitution_1,),
+            (2.0, _p_bridge_friction_1, _p_bridge_restitution_1,),
+        ):
+            _here_1, = here(_own_index_1, _which_1)
+            _rows59, _count60 = _most(_here_1, _count34)
+            if _count60:
+                _own_1_2, _own_2_2 = _taken(_rows59, _own_1_1, _own_2_1)
+                _struck_0_2, _its_0_ring_impact_2, _its_1_ring_impact_2 = ring_impact_taken(_own_2_2, _own_1_2)
+                _its_0_ring_impact_1, _its_1_ring_impact_1, _struck_0_1 = _put(_rows59, _count34, (_its_0_ring_impact_1, _its_1_ring_impact_1, _struck_0_1,), (_its_0_ring_impact_2, _its_1_ring_impact_2, _struck_0_2,), _here_1)
+        _rows61, _count62 = _most(_struck_0_1, _count34)
+        if _count62:
+            _bounce_2, _gap_jerk_2, _its_0_ring_impact_2, _its_1_ring_impact_2, _lift_2, _mode_2, _nearest_2, _nearly_2, _nx_2, _ny_2, _nz_2, _outcome_2, _p_ball_radius_2, _p_gravity_2, _p_inertia_2, _per_reach_2, _position_error_2, _press_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _rolling_friction_2, _second_contact_gap_2, _slip_2, _turning_x_2, _turning_y_2, _turning_z_2, _uncertain_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _weight_2, _which_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2 = _taken(_rows61, _bounce_1, _gap_jerk_1, _its_0_ring_impact_1, _its_1_ring_impact_1, _lift_1, _mode_1, _nearest_1, _nearly_1, _nx_1, _ny_1, _nz_1, _outcome_1, _p_ball_radius_1, _p_gravity_1, _p_inertia_1, _per_reach_1, _position_error_1, _press_1, _rolled_x_1, _rolled_y_1, _rolled_z_1, _rolling_friction_1, _second_contact_gap_1, _slip_1, _turning_x_1, _turning_y_1, _turning_z_1, _uncertain_1, _velocity_error_1, _vx_1, _vy_1, _vz_1, _weight_1, _which_1, _wx_1, _wy_1, _wz_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count62)
+            _settles_2, _lodges_2, _slides_2, _unpressed_2, _assured_2, _undecided_2 = ring_impact_settling(_p_ball_radius_2, _p_gravity_2, _p_inertia_2, _its_1_ring_impact_2, _its_0_ring_impact_2, _x_2, _y_2, _z_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _position_error_2, _velocity_error_2, _mode_2, _per_reach_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _turning_x_2, _turning_y_2, _turning_z_2, _slip_2, _bounce_2, _nearest_2, _second_contact_gap_2, _press_2, _weight_2, _rolling_friction_2, _lift_2, _gap_jerk_2, _room_2)
+            _mode_2, _held_2, _outcome_2, _slip_left_2, _uncertain_2 = settled(_which_2, _position_error_2, _velocity_error_2, _outcome_2, _uncertain_2, _undecided_2, _mode_2, _settles_2, _nearly_2, _lodges_2, _slides_2, _unpressed_2)
+            _assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1 = _put(_rows61, _count34, (_assured_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1,), (_assured_2, _held_2, _mode_2, _outcome_2, _slip_left_2, _uncertain_2,), _struck_0_1)
         _assured_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _estimated_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0 = _put(_rows33, shots, (_assured_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _estimated_0, _held_0, _mode_0, _outcome_0, _slip_left_0, _uncertain_0, _vx_0, _vy_0, _vz_0, _x_0, _y_0, _z_0,), (_assured_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _estimated_1, _held_1, _mode_1, _outcome_1, _slip_left_1, _uncertain_1, _vx_1, _vy_1, _vz_1, _x_1, _y_1, _z_1,))
-    _rows51, _count52 = _rows(_limited_0, shots)
-    if _count52:
-        _claims_1, _clock_1, _clock_bound_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _position_bound_1, _spin_bound_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows51, _claims_0, _clock_0, _clock_bound_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _p_gravity_0, _position_bound_0, _spin_bound_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
+    _rows63, _count64 = _rows(_limited_0, shots)
+    if _count64:
+        _claims_1, _clock_1, _clock_bound_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _position_bound_1, _spin_bound_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _which_1, _x_1, _y_1, _z_1 = _taken(_rows63, _claims_0, _clock_0, _clock_bound_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _p_gravity_0, _position_bound_0, _spin_bound_0, _velocity_bound_0, _vx_0, _vy_0, _vz_0, _when_0, _which_0, _x_0, _y_0, _z_0)
         _ends_by_time_limit_1, = ends_by_time_limit(4.0, _which_1, _claims_1)
-        _rows53, _count54 = _most(_ends_by_time_limit_1, _count52)
-        if _count54:
-            _clock_2, _clock_bound_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2, _p_gravity_2, _position_bound_2, _spin_bound_2, _velocity_bound_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows53, _clock_1, _clock_bound_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _position_bound_1, _spin_bound_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
-            _room_2 = room(_count54)
+        _rows65, _count66 = _most(_ends_by_time_limit_1, _count64)
+        if _count66:
+            _clock_2, _clock_bound_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2, _p_gravity_2, _position_bound_2, _spin_bound_2, _velocity_bound_2, _vx_2, _vy_2, _vz_2, _when_2, _x_2, _y_2, _z_2 = _taken(_rows65, _clock_1, _clock_bound_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _p_gravity_1, _position_bound_1, _spin_bound_1, _velocity_bound_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1)
+            _room_2 = room(_count66)
             _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _p_gravity_2, _room_2)
             _position_bound_2, _velocity_bound_2, _spin_bound_2, _clock_bound_2 = bound_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _position_bound_2, _velocity_bound_2, _spin_bound_2, _clock_bound_2, _p_gravity_2, _room_2)
-            _clock_bound_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _position_bound_1, _spin_bound_1, _velocity_bound_1 = _put(_rows53, _count52, (_clock_bound_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _position_bound_1, _spin_bound_1, _velocity_bound_1,), (_clock_bound_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2, _position_bound_2, _spin_bound_2, _velocity_bound_2,), _ends_by_time_limit_1)
-        _clock_bound_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _position_bound_0, _spin_bound_0, _velocity_bound_0 = _put(_rows51, shots, (_clock_bound_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _position_bound_0, _spin_bound_0, _velocity_bound_0,), (_clock_bound_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _position_bound_1, _spin_bound_1, _velocity_bound_1,))
-    _rows55, _count56 = _most(_hopped_0, shots)
-    if _count56:
-        _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows55, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
-        _room_1 = room(_count56)
+            _clock_bound_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _position_bound_1, _spin_bound_1, _velocity_bound_1 = _put(_rows65, _count64, (_clock_bound_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _position_bound_1, _spin_bound_1, _velocity_bound_1,), (_clock_bound_2, _clock_error_2, _dvx_2, _dvy_2, _dvz_2, _dx_2, _dy_2, _dz_2, _position_bound_2, _spin_bound_2, _velocity_bound_2,), _ends_by_time_limit_1)
+        _clock_bound_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _position_bound_0, _spin_bound_0, _velocity_bound_0 = _put(_rows63, shots, (_clock_bound_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _position_bound_0, _spin_bound_0, _velocity_bound_0,), (_clock_bound_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _position_bound_1, _spin_bound_1, _velocity_bound_1,))
+    _rows67, _count68 = _most(_hopped_0, shots)
+    if _count68:
+        _dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1 = _taken(_rows67, _dvx_0, _dvy_0, _dvz_0, _dx_0, _dy_0, _dz_0, _vx_0, _vy_0, _vz_0, _when_0, _x_0, _y_0, _z_0)
+        _room_1 = room(_count68)
         _dx_1, _dy_1, _dz_1 = carry_hop(_x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _when_1, _room_1)
-        _dx_0, _dy_0, _dz_0 = _put(_rows55, shots, (_dx_0, _dy_0, _dz_0,), (_dx_1, _dy_1, _dz_1,), _hopped_0)
+        _dx_0, _dy_0, _dz_0 = _put(_rows67, shots, (_dx_0, _dy_0, _dz_0,), (_dx_1, _dy_1, _dz_1,), _hopped_0)
     _reports_0, _position_claim_0, _velocity_claim_0, _spin_claim_0, _time_claim_0 = closing(_outcome_0, _claims_0)
-    _rows57, _count58 = _most(_reports_0, shots)
-    if _count58:
-        _clock_bound_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _estimated_1, _position_bound_1, _spin_bound_1, _velocity_bound_1 = _taken(_rows57, _clock_bound_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _estimated_0, _position_bound_0, _spin_bound_0, _velocity_bound_0)
-        _room_1 = room(_count58)
+    _rows69, _count70 = _most(_reports_0, shots)
+    if _count70:
+        _clock_bound_1, _clock_error_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _dx_1, _dy_1, _dz_1, _estimated_1, _position_bound_1, _spin_bound_1, _velocity_bound_1 = _taken(_rows69, _clock_bound_0, _clock_error_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _dx_0, _dy_0, _dz_0, _estimated_0, _position_bound_0, _spin_bound_0, _velocity_bound_0)
+        _room_1 = room(_count70)
         _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _dwx_1, _dwy_1, _dwz_1, _double(_position_bound_1), _double(_velocity_bound_1), _double(_spin_bound_1), _estimated_1, _double(_clock_bound_1), _room_1)
-        _position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0 = _put(_rows57, shots, (_position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0,), (_position_claim_1, _spin_claim_1, _time_claim_1, _velocity_claim_1,), _reports_0)
+        _position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0 = _put(_rows69, shots, (_position_claim_0, _spin_claim_0, _time_claim_0, _velocity_claim_0,), (_position_claim_1, _spin_claim_1, _time_claim_1, _velocity_claim_1,), _reports_0)
     columns |= {"assured": _assured_0, "clock_bound": _clock_bound_0, "clock_error": _clock_error_0, "count_0": _count_0_0, "count_1": _count_1_0, "count_2": _count_2_0, "dvx": _dvx_0, "dvy": _dvy_0, "dvz": _dvz_0, "dwx": _dwx_0, "dwy": _dwy_0, "dwz": _dwz_0, "dx": _dx_0, "dy": _dy_0, "dz": _dz_0, "estimated": _estimated_0, "first": _first_0, "frame_nx": _frame_nx_0, "frame_ny": _frame_ny_0, "frame_nz": _frame_nz_0, "held": _held_0, "last": _last_0, "left_bend_e": _left_bend_e_0, "left_bend_s": _left_bend_s_0, "left_ex": _left_ex_0, "left_ey": _left_ey_0, "mode": _mode_0, "outcome": _outcome_0, "pace_e": _pace_e_0, "pace_n": _pace_n_0, "pace_s": _pace_s_0, "place_e": _place_e_0, "place_n": _place_n_0, "place_s": _place_s_0, "position_bound": _position_bound_0, "position_claim": _position_claim_0, "slip_left": _slip_left_0, "spin_bound": _spin_bound_0, "spin_claim": _spin_claim_0, "time_claim": _time_claim_0, "turn_n": _turn_n_0, "turn_z": _turn_z_0, "uncertain": _uncertain_0, "velocity_bound": _velocity_bound_0, "velocity_claim": _velocity_claim_0, "vx": _vx_0, "vy": _vy_0, "vz": _vz_0, "wx": _wx_0, "wy": _wy_0, "wz": _wz_0, "x": _x_0, "y": _y_0, "z": _z_0, }

@@ -211,7 +211,7 @@ class ResultField(NamedTuple):
     tally: str = ""
     tally_summary: str = ""
     proved: float | None = None
-    is_judged: bool = True
+    is_judged: bool = False
 
 
 FIELDS: tuple[Field, ...] = (
@@ -308,15 +308,15 @@ FIELDS: tuple[Field, ...] = (
 )
 
 RESULTS: tuple[ResultField, ...] = (
-    ResultField(name="outcome", dtype="uint8", columns=("outcome",), summary="how it ended", flags=("made", "missed", "capped", "short", "invalid", "lodged", "endless")),
-    ResultField(name="contacts", dtype="int32", columns=("contacts",), summary="contacts before the end"),
-    ResultField(name="counts", dtype="int32", columns=("count_0", "count_1", "count_2"), summary="contacts with each body", row=True, labels=("ring_contacts", "backboard_contacts", "bridge_contacts"), dimension="surface", coordinates=("ring", "backboard", "bridge")),
-    ResultField(name="first", dtype="int8", columns=("first",), summary="first body touched, -1: none", flags=("none", "ring", "backboard", "bridge"), first_flag=-1),
-    ResultField(name="time", dtype="float64", columns=("clock",), summary="s, at the end; capped or short: at the last contact", is_empty_if_invalid=True, units=("s",), is_at_end=True),
-    ResultField(name="state", dtype="float64", columns=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), summary="then", row=True, is_empty_if_invalid=True, labels=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), units=("m", "m", "m", "m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s"), dimension="component", coordinates=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), unit_coordinate="unit", is_at_end=True),
-    ResultField(name="time_error", dtype="float64", columns=("time_claim",), summary="bound on the error of time", is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, switch="claims", units=("s",)),
-    ResultField(name="state_error", dtype="float64", columns=("position_claim", "velocity_claim", "spin_claim"), summary="bounds on the errors of each component of position, velocity and spin", row=True, is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, switch="claims", labels=("position_error", "velocity_error", "spin_error"), units=("m", "m/s", "rad/s"), dimension="part", coordinates=("position", "velocity", "spin")),
-    ResultField(name="uncertain", dtype="bool", columns=("uncertain",), summary="a decision lies within its rounding-error bound", is_diagnostic=True),
+    ResultField(name="outcome", dtype="uint8", columns=("outcome",), summary="how it ended", flags=("made", "missed", "capped", "short", "invalid", "lodged", "endless"), is_judged=True),
+    ResultField(name="contacts", dtype="int32", columns=("contacts",), summary="contacts before the end", is_judged=True),
+    ResultField(name="counts", dtype="int32", columns=("count_0", "count_1", "count_2"), summary="contacts with each body", row=True, labels=("ring_contacts", "backboard_contacts", "bridge_contacts"), dimension="surface", coordinates=("ring", "backboard", "bridge"), is_judged=True),
+    ResultField(name="first", dtype="int8", columns=("first",), summary="first body touched, -1: none", flags=("none", "ring", "backboard", "bridge"), first_flag=-1, is_judged=True),
+    ResultField(name="time", dtype="float64", columns=("clock",), summary="s, at the end; capped or short: at the last contact", is_empty_if_invalid=True, units=("s",), is_at_end=True, is_judged=True),
+    ResultField(name="state", dtype="float64", columns=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), summary="then", row=True, is_empty_if_invalid=True, labels=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), units=("m", "m", "m", "m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s"), dimension="component", coordinates=("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), unit_coordinate="unit", is_at_end=True, is_judged=True),
+    ResultField(name="time_error", dtype="float64", columns=("time_claim",), summary="bound on the error of time", is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, switch="claims", units=("s",), is_judged=True),
+    ResultField(name="state_error", dtype="float64", columns=("position_claim", "velocity_claim", "spin_claim"), summary="bounds on the errors of each component of position, velocity and spin", row=True, is_empty_if_invalid=True, is_diagnostic=True, is_on_request=True, switch="claims", labels=("position_error", "velocity_error", "spin_error"), units=("m", "m/s", "rad/s"), dimension="part", coordinates=("position", "velocity", "spin"), is_judged=True),
+    ResultField(name="uncertain", dtype="bool", columns=("uncertain",), summary="a decision lies within its rounding-error bound", is_diagnostic=True, is_judged=True),
 )
 """The results of a shot, in the order of the C struct."""
 

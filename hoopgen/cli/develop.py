@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import click
@@ -59,14 +60,15 @@ def generate(root: Path | None) -> None:
     """Write generated/ anew from derive/ and templates/.
 
     Files that would not change are not touched. WebAssembly is compiled from generated/c if it is
-    of other sources, which needs the extra `compile`.
+    of other sources, which needs the extra `compile`, with its version of zig.
     """
     from hoopgen import codegen
     from hoopgen.engine import web_assembly
 
     root = root or _checkout()
-    written = _listed(root, codegen.generate(root))
     folder = root / "generated"
+    check_before_writing = partial(web_assembly.check_before_writing, folder)
+    written = _listed(root, codegen.generate(root, check_before_writing))
     written |= _listed(root, web_assembly.build(folder, web_assembly.stale_modules(folder)))
     if not written:
         click.echo("nothing to write: generated/ is up to date")

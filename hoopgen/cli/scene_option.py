@@ -252,7 +252,7 @@ def parameters_of(
     engine
         The scene.
     preset
-        The name of a preset, of which a scene without presets takes none.
+        The name of one of the scene's presets; a scene without presets has its own values.
     settings
         Values of ``--set`` by name, SI.
 
@@ -264,15 +264,14 @@ def parameters_of(
     Raises
     ------
     click.UsageError
-        If a preset is given for a scene that has none.
+        If a preset is given that the scene does not have.
     """
     presets = engine.presets
     if preset in presets:
         return presets[preset] | dict(settings)
     if given("preset"):
-        raise click.UsageError(
-            f"--preset is a hoop's, and the scene {engine.name} has none; leave it out"
-        )
+        wanted = f"expected {', '.join(presets)}" if presets else "it has none; leave it out"
+        raise click.UsageError(f"--preset {preset} is not one of the scene {engine.name}: {wanted}")
     return engine.parameters | dict(settings)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from hoopgen.core.owned_folders import MARKER, find_store, marker_text, open_store
@@ -26,7 +27,9 @@ def render_all() -> dict[str, str]:
     return files | {MARKER: marker_text(PURPOSE, files)}
 
 
-def generate(root: Path) -> list[Path]:
+def generate(
+    root: Path, before_writing: Callable[[Sequence[str]], None] = lambda _: None
+) -> list[Path]:
     """Write generated/ below `root` and return the files that changed.
 
     Parameters
@@ -34,6 +37,9 @@ def generate(root: Path) -> list[Path]:
     root
         A source checkout. Files of generated/ that its marker names and that are no longer
         generated are removed; others that are not generated stay.
+    before_writing
+        Called before anything is written with the files that will be, by their paths below
+        generated/.
 
     Raises
     ------
@@ -48,10 +54,11 @@ def generate(root: Path) -> list[Path]:
     find_store(folder, PURPOSE)  # before the work
     files = render_all()
     marker = files.pop(MARKER)
+    new = [name for name, text in files.items() if not _is(folder / name, text)]
+    before_writing(new)
     store = open_store(folder, PURPOSE)
     store.remove_temporaries()
     changed = [] if _is(folder / MARKER, marker) else [folder / MARKER]
-    new = [name for name, text in files.items() if not _is(folder / name, text)]
     # What is as it is generated may have come with a merge of another branch.
     store.adopt(files.keys() - set(new))
     store.claim(*new)

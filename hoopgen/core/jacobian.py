@@ -9,6 +9,18 @@ from numpy.typing import NDArray
 
 from .variables import STATE
 
+END_ARRAYS = ("state_derivative", "time_derivative", "differentiable")
+"""Names of the derivatives at the end of shots in datasets of xarray."""
+
+EVENT_ARRAYS = ("event_time_derivative", "before_derivative", "after_derivative")
+"""Names of the derivatives at events there."""
+
+BY_VARIABLE = ("variable", "variable_unit")
+"""Names there of the dimension of variables, and of the coordinate with their units."""
+
+OF_EVENT = ("event", "event_shot", "event_time", "event_surface")
+"""Names there of the dimension of events, and of its coordinates."""
+
 
 class Jacobian(Mapping[str, NDArray[np.float64]]):
     """Derivatives, a matrix for each result.

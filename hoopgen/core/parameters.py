@@ -10,7 +10,7 @@ from typing import Protocol, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.text.shorten import join_names, suggestion
+from hoopgen.text.shorten import brief, join_names, suggestion
 
 from .argument_types import check_mapping
 from .validation import as_doubles
@@ -244,13 +244,17 @@ def of_scene(parameters: ParameterValues, table: Table) -> ParameterValues:
     return complete(parameters, table)
 
 
-def resolve(parameters: ParameterValues | None, shots: int, table: Table) -> dict[str, Value]:
+def resolve(
+    parameters: ParameterValues | None, shots: int | None, table: Table
+) -> dict[str, Value]:
     """Return the parameters by name in calling order, each a number or of shape (shots,).
 
     Parameters
     ----------
     parameters
         Those that are given; the others have their usual values.
+    shots
+        The number of shots; None if each parameter is to be one number.
     table
         Those of the scene.
 
@@ -267,6 +271,10 @@ def resolve(parameters: ParameterValues | None, shots: int, table: Table) -> dic
             values[name] = given
             continue
         numbers = as_doubles(f"parameters[{name!r}]", given)
+        if shots is None and numbers.ndim:
+            raise ValueError(
+                f"parameters[{name!r}]: expected one number for all shots, got {brief(given)}"
+            )
         if numbers.shape not in ((), (shots,)):
             raise ValueError(
                 f"parameters[{name!r}]: expected one number or {shots}, one a shot; "

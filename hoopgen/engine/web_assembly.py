@@ -13,19 +13,20 @@ import hashlib
 import os
 import subprocess
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from importlib.resources import files
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from types import MappingProxyType
 
-from hoopgen.core.extras import require
+from hoopgen.core.extras import MissingExtra, require
 from hoopgen.core.files import write
 
 from . import c_build
 
 ZIG = "0.17.1"
-"""The version of zig: another one gives other bytes, of the same results."""
+"""The version of zig: another one gives other bytes, of the same results. The extra `compile` has
+it, and with another version every module is stale."""
 
 MODULES: Mapping[str, tuple[str, int]] = MappingProxyType(
     {
@@ -131,25 +132,64 @@ def build(folder: Path, names: list[str]) -> list[Path]:
     """
     if not names:
         return []
-    zig = (sys.executable, "-m", "ziglang")
-    require("ziglang", "compiling generated/wasm")
-    version = _run(*zig, "version").strip()
+    check_compiler()
+    return [_compiled(folder, name) for name in names]
+
+
+def check_compiler() -> None:
+    """Refuse to go on without the zig that compiles the modules.
+
+    Raises
+    ------
+    ImportError
+        If zig is not installed.
+    RuntimeError
+        If it is another version.
+    """
+    try:
+        require("ziglang", "compiling generated/wasm")
+    except MissingExtra as error:
+        raise MissingExtra(
+            f"compiling generated/wasm needs zig {ZIG}: pip install ziglang=={ZIG}", name=error.name
+        ) from None
+    version = _run(*_COMPILER, "version").strip()
     if version != ZIG:
         raise RuntimeError(
-            f"generated/wasm is compiled by zig {ZIG}, and zig {version} gives other bytes: "
+            f"compiling generated/wasm needs zig {ZIG}, and zig {version} gives other bytes: "
             f"pip install ziglang=={ZIG}"
         )
-    return [_compiled(zig, folder, name) for name in names]
 
 
-def _compiled(zig: tuple[str, ...], folder: Path, name: str) -> Path:
+def check_before_writing(folder: Path, changed: Iterable[str]) -> None:
+    """Refuse changes of C sources, all of them the modules', without the zig that compiles these.
+
+    Parameters
+    ----------
+    folder
+        The folder generated/.
+    changed
+        Files that will be written, by their paths below it.
+
+    Raises
+    ------
+    ImportError, RuntimeError
+        As for `check_compiler`.
+    """
+    if stale_modules(folder) or any(name.startswith("c/") for name in changed):
+        check_compiler()
+
+
+_COMPILER = (sys.executable, "-m", "ziglang")
+
+
+def _compiled(folder: Path, name: str) -> Path:
     """Compile a module beside, and put it in its place."""
     scene, _ = MODULES[name]
     sources = f"-D{scene.upper()}_SOURCES={_digest(folder, name)}"
     with TemporaryDirectory() as place:
         out = Path(place) / name
         files = [f"{library}.c" for library in _libraries(scene)]
-        _run(*zig, "cc", *_options(name), sources, *files, "-o", str(out), cwd=folder / "c")
+        _run(*_COMPILER, "cc", *_options(name), sources, *files, "-o", str(out), cwd=folder / "c")
         target = folder / "wasm" / name
         target.parent.mkdir(exist_ok=True)
         return write(target, out.read_bytes())

@@ -113,9 +113,9 @@ def find_court(name: str | None, parameters: Mapping[str, Any]) -> Court:
 
 
 def court_of(parameters: Mapping[str, Any]) -> str:
-    """Return the name of a hoop's court: FIBA's if its preset is the nearest, else the NBA's."""
+    """Return the name of a hoop's court: that of its nearest preset, which may be the NBA's."""
     preset, _ = nearest_preset(parameters)
-    return "FIBA" if preset == "fiba" else "NBA"
+    return preset.upper() if preset.upper() in COURTS else "NBA"
 
 
 def lines_of(court: Court, board_distance: float) -> dict[str, NDArray[np.float64]]:

@@ -29,6 +29,7 @@ from hoopgen.simulation.lookup import engine_of
 from hoopgen.simulation.run import MAX_CONTACTS_WITHOUT_THREADS, run
 from hoopgen.text.shorten import brief
 
+from .first_order import first_order
 from .shot_arrays import ShotArrays
 from .xla_handler import target_of
 
@@ -57,7 +58,8 @@ def simulate(
 ) -> ShotArrays:
     """Simulate shots in JAX: the same bits as `hoopgen.simulate`, under jit, vmap, jvp and grad.
 
-    Only "time" and "state" have derivatives, by the states and by the parameters, of first order.
+    Only "time" and "state" have derivatives, by the states and by the parameters, of first order:
+    a second derivative, such as ``jax.hessian``, raises NotImplementedError.
 
     Parameters
     ----------
@@ -336,13 +338,14 @@ class _Simulator:
             return results, changes
         shape = (*lead, len(STATE) + 1, len(names))
         check_room("states", math.prod(shape), "derivatives", 8)
-        jacobian = jax.pure_callback(
-            lambda states, *values: self._jacobian(names, states, values),
-            _array_type(shape),
-            states,
-            *values,
-            vmap_method="broadcast_all",
-        )
+        jacobian = first_order(
+            lambda *primals: jax.pure_callback(
+                lambda states, *values: self._jacobian(names, states, values),
+                _array_type(shape),
+                *primals,
+                vmap_method="broadcast_all",
+            )
+        )(states, *values)
         columns = [] if is_zero[0] else [tangents[0]]
         columns += [jnp.broadcast_to(tangents[1 + k], lead)[..., None] for k in moving]
         product = jnp.einsum("...rk,...k->...r", jacobian, jnp.concatenate(columns, axis=-1))

@@ -185,7 +185,7 @@ def certify_box(
     widths = _checked_widths(half_widths, middle)
     derived = definition(scene)
     table = table_of(scene, derived)
-    own = resolve(parameters, 1, table)
+    own = resolve(parameters, None, table)
     values = [float(np.ravel(value)[0]) for value in table.inputs(own)]
     most = default_max_contacts(derived) if max_contacts is None else check_contacts(max_contacts)
     limit = default_time_limit(derived) if time_limit is None else check_time_limit(time_limit)
@@ -343,10 +343,15 @@ def _prove(pilot: _Pilot, box: Bounds, most: int, survey: bool) -> BoxProof:
 
 
 def _halves(part: Bounds, box: Bounds) -> list[Bounds]:
-    """Return a part of a box, split across the side that is the largest share of the box's."""
-    if not box:
+    """Return a part of a box, split across the side that is the largest share of the box's.
+
+    A side is not split that is no wider than the distance between doubles at the box's ends: around
+    0 there would be a thousand smaller ones.
+    """
+    wide = [n for n in box if part[n][1] - part[n][0] > max(map(math.ulp, box[n]))]
+    if not wide:
         return []
-    name = max(box, key=lambda n: (part[n][1] - part[n][0]) / (box[n][1] - box[n][0]))
+    name = max(wide, key=lambda n: (part[n][1] - part[n][0]) / (box[n][1] - box[n][0]))
     low, high = part[name]
     middle = low + (high - low) / 2
     if not low < middle < high:

@@ -63,7 +63,8 @@ def settle(
     proved = certificate.decided
     settled = rows[proved]
     for name in scene.layout.results.keys() & fields.keys():
-        if scene.layout.results[name].is_judged:
+        result = scene.layout.results[name]
+        if result.is_judged or result.proved is not None:
             fields[name][settled] = getattr(certificate, name)[proved]
     if "events" in fields:
         fields["events"] = _log(fields["events"], rows, certificate, proved, len(scene.surfaces))

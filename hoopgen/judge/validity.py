@@ -92,6 +92,10 @@ def _overlaps(formulas: Formulas, face: int, state: list[arb], values: list[arb]
     side = _side(formulas, face, state, values)
     if side is None:
         name = next(surface.name for surface in formulas.surfaces if surface.face == face)
+        if not all(part.is_finite() for part in formulas.solids[face](state, values)):
+            # A Taylor model of it, such as that of a distance from an axis, has no enclosure.
+            where = f"where the distance from the {name} has no slope, such as its axis"
+            raise Undecided(f"the ball starts at or near a place {where}")
         raise Undecided(f"the ball starts on the edge of the {name}")
     return side
 

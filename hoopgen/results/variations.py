@@ -7,7 +7,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.core.jacobian import Jacobian
+from hoopgen.core.jacobian import BY_VARIABLE, END_ARRAYS, EVENT_ARRAYS, OF_EVENT, Jacobian
 from hoopgen.core.units import UNITS
 from hoopgen.core.variables import STATE, STATE_UNITS
 from hoopgen.engine.compiled_scene import CompiledScene
@@ -60,19 +60,20 @@ def derivative_arrays(
         STATE_UNITS[name] if name in STATE else next(iter(UNITS[known[name].kind]), "")
         for name in jacobian.names
     ]
-    by = "derivative; its unit is that of the result by variable_unit"
-    data = {
-        "state_derivative": (["shot", "component", "variable"], jacobian["state"], {"note": by}),
-        "time_derivative": (["shot", "variable"], jacobian["time"][:, 0], {"note": by}),
-        "differentiable": (["shot"], differentiable),
-    }
+    variable, variable_unit = BY_VARIABLE
+    by = f"derivative; its unit is that of the result by {variable_unit}"
+    arrays = (
+        (["shot", "component", variable], jacobian["state"], {"note": by}),
+        (["shot", variable], jacobian["time"][:, 0], {"note": by}),
+        (["shot"], differentiable),
+    )
     coordinates = {
         "component": np.array(STATE),
         "unit": ("component", [STATE_UNITS[name] for name in STATE]),
-        "variable": np.array(jacobian.names),
-        "variable_unit": ("variable", units),
+        variable: np.array(jacobian.names),
+        variable_unit: (variable, units),
     }
-    return data, coordinates
+    return dict(zip(END_ARRAYS, arrays, strict=True)), coordinates
 
 
 def event_derivative_arrays(
@@ -89,15 +90,17 @@ def event_derivative_arrays(
     scene
         The scene of the shots, which knows the names of its surfaces.
     """
-    data = {
-        "event_time_derivative": (["event", "variable"], jacobian["time"][:, 0]),
-        "before_derivative": (["event", "component", "variable"], jacobian["before"]),
-        "after_derivative": (["event", "component", "variable"], jacobian["after"]),
-    }
+    (event, *of_event), (variable, _) = OF_EVENT, BY_VARIABLE
+    arrays = (
+        ([event, variable], jacobian["time"][:, 0]),
+        ([event, "component", variable], jacobian["before"]),
+        ([event, "component", variable], jacobian["after"]),
+    )
     surfaces = np.array([*scene.surfaces, "end"])
-    coordinates = {
-        "event_shot": ("event", events["shot"]),
-        "event_time": ("event", events["time"], {"units": "s"}),
-        "event_surface": ("event", surfaces[events["surface"]]),
-    }
-    return data, coordinates
+    coordinates = (
+        (event, events["shot"]),
+        (event, events["time"], {"units": "s"}),
+        (event, surfaces[events["surface"]]),
+    )
+    names = zip(of_event, coordinates, strict=True)
+    return dict(zip(EVENT_ARRAYS, arrays, strict=True)), dict(names)

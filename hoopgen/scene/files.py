@@ -19,20 +19,7 @@ from .errors import SceneError, wrong
 from .limits import Limits, check_limits, current, use_limits
 from .scene import Scene
 
-KINDS = {
-    kind.__name__.lower(): kind
-    for kind in (
-        pieces.Plane,
-        pieces.Sphere,
-        pieces.Cylinder,
-        pieces.Cone,
-        pieces.Disc,
-        pieces.Torus,
-        pieces.Box,
-        pieces.Revolution,
-        pieces.Surface,
-    )
-}
+KINDS = {kind.__name__.lower(): kind for kind in pieces.BODIES}
 """Bodies, by what files call them."""
 
 

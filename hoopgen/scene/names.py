@@ -10,6 +10,7 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Mapping
 
+from hoopgen.core.jacobian import BY_VARIABLE, END_ARRAYS, EVENT_ARRAYS, OF_EVENT
 from hoopgen.core.units import column_name
 from hoopgen.core.variables import STATE
 from hoopgen.generated.numpy import hoop
@@ -56,6 +57,10 @@ RESERVED: Mapping[str, Mapping[str, str]] = {
         "names a C header",
     ),
     "parameter": {
+        **dict.fromkeys(
+            (*END_ARRAYS, *EVENT_ARRAYS, *BY_VARIABLE, *OF_EVENT),
+            "is in datasets with derivatives",
+        ),
         **dict.fromkeys(_RESULTS, "names a result"),
         **dict.fromkeys(STATE, "names a component of a shot's state"),
         **dict.fromkeys(POSITION, "is a coordinate in formulas"),

@@ -334,6 +334,12 @@ def _slope(reader: Reader, owner: str, body: pieces.Cone) -> Formula:
 MAX_DEGREE = 2
 """Highest degree of a bound of a body over whose edge a ball rolls: `derive/rolling/bounds.py`."""
 
+ROLLING_KINDS = {
+    *("plane", "inclined plane", "disc", "sphere", "cylinder", "oblique cylinder"),
+    *("cone", "torus", "oblique torus", "box", "oblique box"),
+}
+"""Kinds of shapes whose surfaces in `derive/surfaces` have a `rolling_surface`."""
+
 
 def why_not_rolling(kind: str, degrees: Sequence[int]) -> tuple[str, str]:
     """Return the argument of a body on which no ball is known to roll, and why; "" if one is.
@@ -351,6 +357,8 @@ def why_not_rolling(kind: str, degrees: Sequence[int]) -> tuple[str, str]:
     if kind == "surface":
         said = "no ball is known to roll beside a surface of your own, whose bends have no bound"
         return "", f"{said}; expected none where rolls is true"
+    if kind not in ROLLING_KINDS:
+        return "", f"on a {kind} no ball is known to roll; expected none where rolls is true"
     if degrees and kind.removeprefix("oblique ") == "torus":
         said = (
             "no ball is known to roll up to an edge of a torus, only of planes, discs, spheres, "

@@ -298,6 +298,20 @@ class Surface(Body):
     condition: Size
 
 
+BODIES: tuple[type[Body], ...] = (
+    Plane,
+    Sphere,
+    Cylinder,
+    Cone,
+    Disc,
+    Torus,
+    Box,
+    Revolution,
+    Surface,
+)
+"""Kinds of bodies that a scene may have."""
+
+
 @dataclass(frozen=True)
 class End:
     """A plane on which a shot ends, crossed by the ball's centre against its axis.

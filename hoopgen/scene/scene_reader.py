@@ -129,8 +129,8 @@ def _check_list(scene: str, argument: str, given: Any, kind: type) -> list[Any]:
     found = _check_count(scene, argument, given)
     for one in found:
         if not isinstance(one, kind) or type(one) is pieces.Body:
-            expected = "Plane, Sphere, Cylinder, Cone, Disc, Torus, Box, Revolution or Surface"
-            expected = "End" if kind is pieces.End else expected
+            *names, last = (one.__name__ for one in pieces.BODIES)
+            expected = "End" if kind is pieces.End else f"{', '.join(names)} or {last}"
             raise wrong(scene, "", argument, f"expected {expected}, got {brief(one)}")
     return found
 

@@ -124,12 +124,15 @@ def _build(key: str, printed: Printed, tools: Tools, folder: Path | str) -> Entr
         An empty one that nobody else can change; or why there is no such folder.
     """
     scene, files = printed.scene, printed.files
-    code = _compile_source(files[f"numpy/{scene}.py"], scene)
-    kernels = load_module(code, scene)
-    packed = gzip.compress(json.dumps(files).encode(), 6, mtime=0)
-    made = {MODULE: marshal.dumps(code), SOURCES: packed}
     record: dict[str, Any] = {"key": key, "scene": scene, "refused": None}
+
+    def kernels_and_files() -> tuple[ModuleType, dict[str, bytes]]:
+        code = _compile_source(files[f"numpy/{scene}.py"], scene)
+        packed = gzip.compress(json.dumps(files).encode(), 6, mtime=0)
+        return load_module(code, scene), {MODULE: marshal.dumps(code), SOURCES: packed}
+
     if printed.library is not None:
+        kernels, made = kernels_and_files()
         refused, width = _check(printed.library, kernels, _expected(kernels))
         if not refused:
             record |= {"compiler": WHEEL, "width": width}
@@ -137,18 +140,19 @@ def _build(key: str, printed: Printed, tools: Tools, folder: Path | str) -> Entr
     without = record | {"compiler": "", "width": 0}
     if tools.compiler is None:
         why = f"of the scene {scene} was not compiled: {compilers.missing_compiler()}"
-        return Entry(without | {"refused": [why, "install one, or `pip install ziglang`"]}, made)
+        refusal = [why, "install one, or `pip install ziglang`"]
+        return Entry(without | {"refused": refusal}, kernels_and_files()[1])
     if isinstance(folder, str):
         why = f"of the scene {scene} was not compiled: {folder}"
         remedy = "set TMPDIR to a folder that you alone can write"
-        return Entry(without | {"refused": [why, remedy]}, made)
-    return compile_loop(Entry(record, made), files, kernels, tools, folder, bounds=True)
+        return Entry(without | {"refused": [why, remedy]}, kernels_and_files()[1])
+    return compile_loop(record, files, kernels_and_files, tools, folder, bounds=True)
 
 
 def compile_loop(
-    entry: Entry,
+    record: Mapping[str, Any],
     files: Mapping[str, str],
-    kernels: ModuleType,
+    meanwhile: Callable[[], tuple[ModuleType, dict[str, bytes]]],
     tools: Tools,
     folder: Path,
     *,
@@ -158,16 +162,23 @@ def compile_loop(
 
     Parameters
     ----------
-    entry
-        The entry without the library.
+    record
+        What is known of the entry.
     files
         What was printed, by path.
+    meanwhile
+        Returns the scene's NumPy module, and the entry's files but for the library; called while
+        the compiler works.
+    tools
+        With which it is compiled.
+    folder
+        An empty one that nobody else can change.
     bounds
         Whether it is the loop with bounds on errors.
     """
-    scene, compiler = entry.record["scene"], tools.compiler
+    scene, compiler = record["scene"], tools.compiler
     assert compiler is not None
-    record = {**entry.record, "compiler": compiler.name, "width": tools.lanes.width}
+    record = {**record, "compiler": compiler.name, "width": tools.lanes.width}
     sources = folder / "c"
     sources.mkdir()
     try:
@@ -176,21 +187,22 @@ def compile_loop(
                 (folder / name).write_text(content, encoding="utf-8")
         options = [*tools.lanes.options(scene), compilers.loop_option(scene, bounds=bounds)]
         with compiler.running(sources, f"{scene}.c", options) as result:
-            wanted = _expected(kernels, bounds=bounds)  # meanwhile
+            kernels, made = meanwhile()
+            wanted = _expected(kernels, bounds=bounds)
             words, passing = result()
         if words:
             print(_compiler_message(compiler.name, scene, words), file=sys.stderr)
             reason = f"of the scene {scene} could not be compiled by {compiler.name}"
             remedy = "`hoopgen cache --clear` lets it be tried again"
-            return Entry({**record, "refused": [reason, remedy], "passing": passing}, entry.files)
+            return Entry({**record, "refused": [reason, remedy], "passing": passing}, made)
         library = (sources / compilers.library_name()).read_bytes()
         refused, _ = _check(library, kernels, wanted)
     finally:
         shutil.rmtree(sources)
     if refused:
         record["refused"] = [f"of the scene {scene} {refused}", "report it, with the scene"]
-        return Entry(record, entry.files)
-    return Entry(record, {**entry.files, compilers.library_name(): library})
+        return Entry(record, made)
+    return Entry(record, {**made, compilers.library_name(): library})
 
 
 def _compiler_message(compiler: str, scene: str, words: str) -> str:

@@ -148,8 +148,8 @@ class _Batch:
         return events[np.argsort(events["shot"], kind="stable")] if len(logs) > 1 else events
 
 
-class SimulationOptions(TypedDict, total=False):
-    """Keywords of `run`, which are those of `hoopgen.simulate` but for the scene."""
+class OtherOptions(TypedDict, total=False):
+    """Keywords of `run` but for the derivatives."""
 
     max_contacts: int | None
     backend: BackendName
@@ -159,6 +159,11 @@ class SimulationOptions(TypedDict, total=False):
     leaving: ArrayLike | None
     settle: bool
     time_limit: float | None
+
+
+class SimulationOptions(OtherOptions, total=False):
+    """Keywords of `run`, which are those of `hoopgen.simulate` but for the scene."""
+
     derivatives: Iterable[str] | None
 
 

@@ -16,7 +16,7 @@ from hoopgen.scene.lookup import SceneLike
 from hoopgen.text.shorten import brief
 
 from .lookup import engine_of
-from .run import SimulationOptions, run
+from .run import OtherOptions, run
 from .variations import check_derivatives
 
 Floats = NDArray[np.float64]
@@ -28,7 +28,7 @@ def jvp(
     tangents: Mapping[str, ArrayLike],
     *,
     scene: SceneLike = None,
-    **options: Unpack[SimulationOptions],
+    **options: Unpack[OtherOptions],
 ) -> tuple[Shots, dict[str, Floats]]:
     """Simulate shots, and return how their ends change with the releases and the parameters.
 
@@ -52,11 +52,12 @@ def jvp(
     TypeError, ValueError
         If an argument is not as described.
     """
+    _refuse_derivatives(options, "tangents")
     engine = engine_of(scene)
     if not isinstance(tangents, Mapping):
         raise TypeError(f"tangents: expected changes by name, got {brief(tangents)}")
-    options["derivatives"] = check_derivatives(tangents, engine, "tangents")
-    shots = run(engine, states, parameters, **options)
+    names = check_derivatives(tangents, engine, "tangents")
+    shots = run(engine, states, parameters, derivatives=names, **options)
     columns = np.empty((len(shots), len(tangents), 1))
     for column, (name, given) in enumerate(tangents.items()):
         change = as_doubles(f"tangents[{name!r}]", given)
@@ -76,7 +77,7 @@ def vjp(
     cotangents: Mapping[str, ArrayLike],
     *,
     scene: SceneLike = None,
-    **options: Unpack[SimulationOptions],
+    **options: Unpack[OtherOptions],
 ) -> tuple[Shots, dict[str, Floats]]:
     """Simulate shots, and return the gradients of weighted sums of their ends.
 
@@ -100,6 +101,7 @@ def vjp(
     TypeError, ValueError
         If an argument is not as described.
     """
+    _refuse_derivatives(options, "all variables")
     if not isinstance(cotangents, Mapping):
         raise TypeError(f"cotangents: expected weights by name, got {brief(cotangents)}")
     unknown = [name for name in cotangents if name not in ("state", "time")]
@@ -109,8 +111,7 @@ def vjp(
     engine = engine_of(scene)
     given = complete(parameters, engine.table)
     finite = (name for name in engine.parameters if np.all(np.isfinite(given[name])))
-    options["derivatives"] = (*STATE, *finite)
-    shots = run(engine, states, parameters, **options)
+    shots = run(engine, states, parameters, derivatives=(*STATE, *finite), **options)
     gradient = np.zeros((len(shots), len(shots.jacobian.names)))
     for result, shape in (("state", (len(shots), len(STATE))), ("time", (len(shots),))):
         if result in cotangents:
@@ -124,3 +125,8 @@ def vjp(
             rows = np.broadcast_to(weights, shape).reshape(len(shots), 1, int(np.prod(shape[1:])))
             gradient += (rows @ shots.jacobian[result])[:, 0]
     return shots, dict(zip(shots.jacobian.names, gradient.T, strict=True))
+
+
+def _refuse_derivatives(options: Mapping[str, object], variables: str) -> None:
+    if "derivatives" in options:
+        raise TypeError(f"derivatives: those by {variables} are returned; leave it out")

@@ -72,8 +72,9 @@ class LoopWithoutBounds:
             announce(f"the scene {scene} is compiled without bounds on errors, for many shots")
             files = json.loads(gzip.decompress(self.entry.files[SOURCES]))
             with HOOP.exact_arithmetic():
-                empty = Entry(record, {})
-                made = compile_loop(empty, files, self.kernels, tools, folder, bounds=False)
+                made = compile_loop(
+                    record, files, lambda: (self.kernels, {}), tools, folder, bounds=False
+                )
         if made.record["refused"]:
             said = f"the loop without bounds on errors {made.record['refused'][0]}"
             print(f"hoopgen: {said}. Calls without them stay slower.", file=sys.stderr)

@@ -15,7 +15,6 @@ from pydantic_core import CoreSchema, core_schema
 from hoopgen.core.units import Kind
 from hoopgen.core.variables import STATE
 from hoopgen.hoop.court_places import PLACES, find_place
-from hoopgen.hoop.presets import PRESETS
 from hoopgen.hoop.variables import ARGUMENTS, VARIABLES
 from hoopgen.scene.lookup import variables_of
 from hoopgen.simulation.hoop import HOOP
@@ -166,7 +165,7 @@ def scene_or_size(name: str) -> Value:
     """Return the kind of a scene's values: a scene, a preset, or a size."""
     if name == FILE:
         return Text(words="a scene's name, or that of a scene file")
-    return Choice(tuple(PRESETS)) if name == "preset" else quantity(name)
+    return Choice(tuple(_SCENE.get().presets)) if name == "preset" else quantity(name)
 
 
 def _values_of(name: str) -> Values:

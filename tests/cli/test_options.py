@@ -282,3 +282,16 @@ def test_a_shell_completes_names_of_variables_measures_presets_and_scenes(
     assert completed("shot --scene nowhere/x") == []
     assert completed("estimate --scene scene.toml --scatter v") == ["vx=", "vy=", "vz="]
     assert "hole_radius=" in completed("estimate --scene scene.toml --set ")
+
+
+def test_a_preset_that_a_scene_lacks_is_refused_with_those_that_it_has(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    golf = str(SCENES / "golf.toml")
+    state = ["--position", "0,0,1", "--velocity", "0,0,0"]
+    said = failure("shot", *state, "--scene", golf, "--preset", "nba")
+    assert "--preset nba is not one of the scene golf: it has none; leave it out" in said
+    fewer = {name: value for name, value in hoopgen.COURT.presets.items() if name != "fiba"}
+    monkeypatch.setattr(hoopgen.COURT, "presets", fewer)
+    said = failure("shot", *RELEASE, "--scene", "court", "--preset", "fiba")
+    assert "--preset fiba is not one of the scene court: expected paper, nba" in said

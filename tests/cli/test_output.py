@@ -438,10 +438,10 @@ def sources(tmp_path: Path) -> Path:
 
 def test_generate_lists_what_it_wrote(monkeypatch: pytest.MonkeyPatch, sources: Path) -> None:
     codegen = pytest.importorskip("hoopgen.codegen")
-    monkeypatch.setattr(codegen, "generate", lambda root: [root / "generated" / "c" / "hoop.c"])
+    monkeypatch.setattr(codegen, "generate", lambda root, _: [root / "generated" / "c" / "hoop.c"])
     result = run("generate", "--root", str(sources))
     assert result.stdout == f"{Path('generated', 'c', 'hoop.c')}\n"
-    monkeypatch.setattr(codegen, "generate", lambda root: [])
+    monkeypatch.setattr(codegen, "generate", lambda root, _: [])
     assert "up to date" in run("generate", "--root", str(sources)).stdout
 
 

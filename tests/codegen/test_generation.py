@@ -463,7 +463,7 @@ import sys
 sys.modules["hoopgen.generated.numpy"] = None  # as if it were not there
 from hoopgen.cli import main
 from hoopgen import codegen
-codegen.generate = lambda root: []
+codegen.generate = lambda root, _: []
 main(["generate", "--root", sys.argv[1]])
 """
 

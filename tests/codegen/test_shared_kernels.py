@@ -130,6 +130,19 @@ def test_bodies_are_of_one_kind_if_their_symbols_alone_differ() -> None:
     assert [like.first for like in found[3:]] == [3, 4, 5, 6]
 
 
+def test_terms_of_one_form_are_told_apart_by_what_their_symbols_are_elsewhere() -> None:
+    """Alone they stand in the order of the symbols' names, which means nothing."""
+    a, b, c, d = symbols("a", "b", "c", "d")
+    zero = sp.Integer(0)
+    balls = [
+        Ball("one", (a, b, zero), a + b),
+        Ball("crossed", (d, c, zero), c + d),
+        Ball("other", (d, c, zero), c + c * d),
+    ]
+    found = isomorphisms(balls, ())
+    assert found == (Isomorphism(0, {}), Isomorphism(0, {a: d, b: c}), Isomorphism(2, {}))
+
+
 def test_what_is_assumed_of_symbols_counts() -> None:
     (a,) = symbols("a")
     any_sign = ParameterSymbol("b", real=True)

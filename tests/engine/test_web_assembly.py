@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 import subprocess
 import sys
+import tomllib
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -94,9 +95,41 @@ def test_without_the_compiler_generate_says_what_brings_it(
     monkeypatch: pytest.MonkeyPatch, copied: Path
 ) -> None:
     monkeypatch.setitem(sys.modules, "ziglang", None)
-    with pytest.raises(ImportError, match="needs ziglang: pip install"):
+    with pytest.raises(ImportError, match=f"needs zig {ZIG}: pip install ziglang=={ZIG}"):
         build(copied, ["hoop.wasm"])
     assert build(copied, []) == []
+
+
+def test_generate_asks_for_the_compiler_before_it_writes_c_sources(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    committed = pytest.importorskip("hoopgen.codegen.committed")
+    shutil.copytree(FOLDER, tmp_path / "generated")
+    for name in ("derive", "templates"):  # which a source checkout has
+        (tmp_path / name).mkdir()
+    files = {
+        file.relative_to(FOLDER).as_posix(): file.read_text(encoding="utf-8")
+        for file in FOLDER.rglob("*")
+        if file.is_file() and file.suffix not in (".wasm", ".pyc")
+    }
+    monkeypatch.setattr(committed, "render_all", lambda: dict(files))
+    monkeypatch.setitem(sys.modules, "ziglang", None)
+    files["derivation.md"] += "\n"
+    assert "derivation.md" in run("generate", "--root", tmp_path).stdout
+    files["derivation.md"] += "\n"
+    files["c/court_kernels.h"] += "\n"
+    before = (tmp_path / "generated/derivation.md").read_bytes()
+    failed = run("generate", "--root", tmp_path)
+    assert failed.exit_code == 2
+    assert f"needs zig {ZIG}" in failed.output
+    assert (tmp_path / "generated/derivation.md").read_bytes() == before
+
+
+def test_the_extra_that_generating_needs_has_the_version_of_the_modules() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    assert f"ziglang=={ZIG}" in project["optional-dependencies"]["compile"]
+    makefile = (ROOT / "Makefile").read_text("utf-8")
+    assert "\ngenerate: $(VENV)/with-compile " in makefile
 
 
 @pytest.mark.slow

@@ -281,8 +281,16 @@ def test_counts_and_flags_have_no_derivative_and_second_derivatives_raise() -> N
     )
     assert out[1].dtype == jax.dtypes.float0
     total = jax.grad(lambda s: hoopgen.jax.simulate(s).time.sum())
-    with pytest.raises(ValueError, match="JVP"):
-        jax.jacfwd(total)(states)
+    for second in (jax.jacfwd, jax.jacrev):
+        with pytest.raises(NotImplementedError, match="hoopgen has first derivatives only"):
+            second(total)(states)
+    last = jax.grad(lambda s, scale: (scale**2 * hoopgen.jax.simulate(s).time).sum(), argnums=1)
+    np.testing.assert_allclose(
+        jax.grad(last, argnums=1)(states, 3.0),
+        2 * hoopgen.simulate(states).time.sum(),
+        rtol=1e-15,
+        atol=0,
+    )
 
 
 # ------------------------------------------------------------------------------ what is refused

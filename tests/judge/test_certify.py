@@ -617,6 +617,29 @@ def test_settling_takes_parameters_by_shot(mixed: Batch) -> None:
     np.testing.assert_array_equal(fields["counts"][sure], shots.counts[sure])
 
 
+@pytest.mark.parametrize("scene", [hoopgen.HOOP, hoopgen.COURT])
+def test_certificates_have_the_results_that_the_record_says(scene: hoopgen.Engine) -> None:
+    certificate = certify([0.0, 0.0, 1.0, 0, 0, 0, 0, 0, 0], None, scene=scene)
+    results = {one.name: one for one in (*scene.kernels.RESULTS, *scene.kernels.ABSENT_RESULTS)}
+    known = {name for name, one in results.items() if one.is_judged or one.proved is not None}
+    assert known == {name for name in results if hasattr(certificate, name)}
+    assert not [name for name, one in results.items() if one.is_judged and one.proved is not None]
+
+
+def test_settling_keeps_a_result_that_the_judge_does_not_know(
+    mixed: Batch, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    batch, scene = mixed.take(slice(0, 60, 7)), hoopgen.HOOP
+    own = type(scene.kernels.RESULTS[0])("longest_flight", "float64", ("longest_flight",), "s")
+    monkeypatch.setattr(scene.layout, "results", {**scene.layout.results, own.name: own})
+    shots = hoopgen.simulate(batch.states, batch.parameters, fields=("outcome", "uncertain"))
+    fields = {name: getattr(shots, name).copy() for name in ("outcome", "uncertain")}
+    fields["uncertain"][:] = True
+    fields[own.name] = np.arange(float(len(shots)))
+    assert len(settle(fields, batch.states, batch.parameters, scene=scene))
+    np.testing.assert_array_equal(fields[own.name], np.arange(float(len(shots))))
+
+
 @pytest.mark.slow
 def test_a_settled_shots_errors_hold_the_radius_of_each_component() -> None:
     """The largest of three: every component is within it of the truth."""

@@ -131,6 +131,23 @@ def test_a_box_with_a_release_that_ends_otherwise_is_never_proved() -> None:
         assert "Not proved" in str(proof)
 
 
+def test_no_part_is_narrower_than_doubles_at_the_ends_of_its_box() -> None:
+    """A ball that is dropped on the axis of the ring stays undecided."""
+    proof = hoopgen.certify_box({"x": 0, "z": 1}, {"x": 0.01})
+    assert len(proof.outcomes) < 200
+    assert (proof.high - proof.low).min() >= np.spacing(0.01) / 2
+    assert "a place where the distance from the ring has no slope, such as its axis" in (
+        proof.question
+    )
+    assert 1 - 1e-15 < proof.share < 1
+
+
+def test_parameters_of_a_box_are_one_number_each() -> None:
+    said = r"^parameters\['restitution'\]: expected one number for all shots, got \[0.7, 0.6\]"
+    with pytest.raises(ValueError, match=said):
+        hoopgen.certify_box(THROW, {}, {"restitution": [0.7, 0.6]})  # type: ignore[dict-item]
+
+
 def test_a_counterexample_is_in_the_box_and_ends_otherwise() -> None:
     widths = {"speed": 0.1, "elevation": 0.02}
     proof = hoopgen.certify_box(THROW, widths)

@@ -109,7 +109,7 @@ FAULTS = (
     ),
     Planted(
         "no seam of the box under a ball is near as its bounces end",
-        in_text(stages, "nearest_others", 'if "near_seam" in common', "if False"),
+        in_text(surface_nodes, "_own_borders", 'if "near_seam" in common', "if False"),
         seams_below,
     ),
 )

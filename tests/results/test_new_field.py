@@ -19,6 +19,7 @@ import hoopgen
 from hoopgen import COURT
 from hoopgen.results import shots
 from tests.helpers import ROOT
+from tests.packaging.test_layers import LINES
 
 MAX_FILES = 3
 
@@ -30,13 +31,15 @@ CHANGES = {
         '        Field("outcome", IN_FLIGHT,',
         '            "a decision lies within its rounding-error bound",\n'
         "            is_diagnostic=True,\n"
+        "            is_judged=True,\n"
         "        ),\n": '            "a decision lies within its rounding-error bound",\n'
         "            is_diagnostic=True,\n"
+        "            is_judged=True,\n"
         "        ),\n"
         '        ResultField("longest_flight", "float64", ("longest_flight",),\n'
         '            "s, longest flight",\n'
         '            is_empty_if_invalid=True, is_diagnostic=True, units=("s",),\n'
-        '            tally="moved", tally_summary="shots that moved", is_judged=False),\n',
+        '            tally="moved", tally_summary="shots that moved"),\n',
     },
     # the decision that assigns it
     "derive/loop/predicates.py": {
@@ -77,6 +80,7 @@ from click.testing import CliRunner
 import hoopgen
 from hoopgen.cli import main
 from hoopgen.judge import certify
+from hoopgen.judge.settle import settle
 from hoopgen.scene.names import check_name
 from hoopgen.study.statistics.tally import Tally, fields_of
 
@@ -133,6 +137,10 @@ assert counts.tolist() == [np.count_nonzero(shots.longest_flight)]
 assert not hasattr(certify(states[valid[:2]], scene=scene), "longest_flight")
 settled = scene.simulate(states, settle=True)
 assert np.array_equal(settled.longest_flight, shots.longest_flight, equal_nan=True)
+doubted = {name: getattr(shots, name).copy() for name in scene.layout.fields}
+doubted["uncertain"][valid[:40]] = True
+assert len(settle(doubted, states, {}, scene=scene))
+assert np.array_equal(doubted["longest_flight"], shots.longest_flight, equal_nan=True)
 
 # command line
 one = int(valid[0])
@@ -180,6 +188,15 @@ def _run(root: Path, code: str, *arguments: str | Path) -> None:
         check=False,
     )
     assert done.returncode == 0, done.stderr
+
+
+def test_a_new_field_leaves_no_file_too_long() -> None:
+    for name, replaced in CHANGES.items():
+        text = (ROOT / name).read_text(encoding="utf-8")
+        for old, new in replaced.items():
+            text = text.replace(old, new)
+        if name.startswith("hoopgen/"):
+            assert len(text.splitlines()) <= LINES, name
 
 
 def test_a_new_field_is_known_to_three_files_at_most() -> None:

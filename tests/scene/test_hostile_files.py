@@ -432,9 +432,11 @@ def test_all_names_that_results_have_taken_are_refused() -> None:
     """A parameter of each shot's own stands beside them: the results stay."""
     pytest.importorskip("xarray")
     shots = hoopgen.simulate(
-        np.zeros((2, 9)), scene=hoopgen.COURT, fields="all", backend="numpy", record=True
-    )
+        np.zeros((2, 9)), scene=hoopgen.COURT, fields="all", backend="numpy", record=True,
+        derivatives=("vx",),
+    )  # fmt: skip
     dataset = shots.to_xarray()
+    assert {"after_derivative", "variable_unit", "event_surface"} <= set(dataset.variables)
     names = {*map(str, dataset.data_vars), *map(str, dataset.dims), *map(str, dataset.coords)}
     own_names = set(hoopgen.COURT.parameters)
     assert names - own_names <= set(scene_names.RESERVED["parameter"])

@@ -445,6 +445,13 @@ def test_bad_tangents(tangents: Any, error: type[Exception], text: str) -> None:
         hoopgen.jvp(throws(1), None, tangents)
 
 
+def test_products_do_not_take_the_names_of_derivatives() -> None:
+    with pytest.raises(TypeError, match=r"^derivatives: those by tangents are returned; leave it"):
+        hoopgen.jvp(throws(1), None, {"vx": 1.0}, derivatives=("vx",))  # type: ignore[call-arg]
+    with pytest.raises(TypeError, match=r"^derivatives: those by all variables are returned"):
+        hoopgen.vjp(throws(1), None, {"time": 1.0}, derivatives=("vx",))  # type: ignore[call-arg]
+
+
 def test_cotangents_and_chains_of_the_wrong_type_are_named() -> None:
     with pytest.raises(TypeError, match=r"^cotangents: expected weights by name"):
         hoopgen.vjp(throws(1), None, np.ones(9))  # type: ignore[arg-type]

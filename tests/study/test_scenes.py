@@ -490,7 +490,7 @@ def test_the_text_of_a_scene_in_results_is_read_as_a_scene_file_is(
         (("estimate", "--scene", "x.txt"), "hoop, court, air, court-air, or a scene file, .toml"),
         (("estimate", "--scene", "none.toml"), "does not exist"),
         (("estimate", "--scene", "FILE", "--speed", "7"), "--speed is of a shot at a hoop"),
-        (("estimate", "--scene", "FILE", *RELEASED, "--preset", "nba"), "--preset is a hoop's"),
+        (("estimate", "--scene", "FILE", *RELEASED, "--preset", "nba"), "--preset nba is not one"),
         (("estimate", "--scene", "FILE", *RELEASED, "--scatter", "speed=1"), "'speed' is none"),
         (("map", "--scene", "FILE", *RELEASED, "--over", "aim=0:1:3"), "'aim' is none of x, y, z"),
         (

@@ -38,7 +38,7 @@ from .inner_columns import columns_within, read_within
 from .masked_loop import Around, Statements
 from .spelling import TYPES, any_lane, at, both, load, numbered_column, offset, store
 from .transfers import MIN_COPIED
-from .turns import TurnLoop
+from .turns import TURNING, TurnLoop
 
 
 @dataclass(frozen=True)
@@ -239,10 +239,11 @@ class CompactedLoop(TurnLoop):
     def _base(self, number: Expression) -> Expression:
         """Return the array of the parameter of a number, in the list at hand."""
         shared = numbered_column("", number)
-        if not self.frame.prefix:
+        prefix = TURNING if self.turning else self.frame.prefix
+        if not prefix:
             return shared
-        self.parameter_lists[self.frame.prefix] = None
-        return Choose(Name("varying"), numbered_column(self.frame.prefix, number), shared)
+        self.parameter_lists[prefix] = None
+        return Choose(Name("varying"), numbered_column(prefix, number), shared)
 
     def row(self, node: ir.ForEach, mask: str) -> tuple[Around, dict[str, Expression]]:
         """Return the same for the rows of lanes of a pass, and the values of the row at hand.
@@ -261,8 +262,10 @@ class CompactedLoop(TurnLoop):
             def around(body: Sequence[Statement]) -> Statements:
                 return self._groups(groups, name, row, [near], Name("_near"), body)
 
-        varying = Infix("&", Name("i"), Name("varying"))
-        loaded = {k: load("double", offset(base, varying)) for k, base in bases.items()}
+        if not self.turning:
+            varying = Infix("&", Name("i"), Name("varying"))
+            bases = {name: offset(base, varying) for name, base in bases.items()}
+        loaded = {name: load("double", base) for name, base in bases.items()}
         return around, loaded | numbers
 
     def _listed(self, node: ir.If | ir.While | ir.ForEach) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from hoopgen.derive.ir import event_tree as ir
@@ -33,13 +33,37 @@ from ..statements import (
 )
 from .hierarchy import GroupContext
 from .masked_loop import Statements
-from .spelling import TYPES, at, both, complement, expand, less, load, nothing, pack, select
+from .spelling import (
+    TYPES,
+    at,
+    both,
+    complement,
+    expand,
+    less,
+    load,
+    nothing,
+    offset,
+    pack,
+    select,
+    store,
+)
 from .transfers import TransferLoop, moved
+
+TURNING = "turning_"
+"""Prefix of the parameters of the shots that the lanes have at hand."""
 
 
 @dataclass
 class TurnLoop(TransferLoop):
-    """Bodies that repeat."""
+    """Bodies that repeat.
+
+    Attributes
+    ----------
+    turning
+        Whether the statements at hand are of a body whose lanes are given further shots.
+    """
+
+    turning: bool = False
 
     def _turns(
         self, node: ir.While, frame: GroupContext, own: GroupContext, later: set[str]
@@ -52,12 +76,16 @@ class TurnLoop(TransferLoop):
         known |= own.known | {node.truth: "truth"}
         needed = set(scoped.gives) | set(scoped.takes) | {node.truth}
         self.named.clear()
+        self.turning = True
         body = self.body(node.body, known, set(), "active", needed)
+        self.turning = False
         live = visitors.live_before(body)
         read = [name for name in scoped.takes if name in self.parameters and name in live]
         expands: Statements = [self._expanded(own, name, kind) for name, kind in own.known.items()]
-        expands_too = tuple(self._expanded(own, name) for name in read)
-        expands += [If(Name("varying"), expands_too)] if expands_too else []
+        expands_too = [self._expanded(own, name) for name in read]
+        if any(isinstance(one, ir.ForEach) and one.given for one in ir.walk(node.body)):
+            expands_too += self._expanded_parameters(own, scoped.takes)
+        expands += [If(Name("varying"), tuple(expands_too))] if expands_too else []
         spare = Infix("<=", Infix("+", Name("busy"), Name("LANES_SPARE")), Name("LANES_WIDTH"))
         more = Choose(Infix("<", Name("_left"), Name("room")), Name("_left"), Name("room"))
         refill = [
@@ -100,6 +128,14 @@ class TurnLoop(TransferLoop):
         """Return the statement that loads a variable of the next shots into free lanes."""
         place = at(own.column(name), "taken")
         return Assign(Name(name), expand(kind, place, Name("idle"), Name(name)))
+
+    def _expanded_parameters(self, own: GroupContext, takes: Iterable[str]) -> Statements:
+        """Return the statements that load the parameters of the next shots, for tables of them."""
+        self.parameter_lists[TURNING] = None
+        column = self._taken(own, "_p", TURNING)
+        place = offset(self._taken(own, "_p"), Name("taken"))
+        value = expand("double", place, Name("idle"), load("double", column))
+        return self._over_taken(takes, store("double", column, value))
 
     def _ended(
         self, node: ir.While, frame: GroupContext, own: GroupContext, gives: Sequence[str]

@@ -319,7 +319,8 @@ PREMISES: dict[str, Premise] = {
         "the end of a contact",
         _kernels(
             "common.leaving_force common.beside_* common.beside *.beside *.seam* "
-            "common.rolled_on common.holding common.resumed common.reaches_apex"
+            "common.rolled_on common.holding common.other_surface common.resumed "
+            "common.reaches_apex"
         ),
     ),
     "parting": Premise(

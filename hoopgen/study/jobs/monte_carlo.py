@@ -33,7 +33,7 @@ from hoopgen.study.statistics.tally import Tally, blocks, check_scene, fields_of
 from hoopgen.text.shorten import brief
 
 from .chunks import ShotsJob
-from .differences import difference_counts
+from .differences import Differences, difference_counts, differences_in
 
 CHUNK = 1 << 17
 """Shots in a chunk: after each one the precision is looked at, and a folder has one file."""
@@ -57,6 +57,10 @@ class ResolvedSetting:
         """Return the identity of the setting, in types that JSON knows."""
         parameters = dict(self.parameters)
         return {**self.model.identity(), "parameters": parameters, **scene_identity(self.scene)}
+
+    def differences(self, name: str) -> Differences:
+        """Return the differences by a parameter of the scene."""
+        return differences_in(name, self.parameters, self.scene)
 
 
 def scene_identity(scene: CompiledScene) -> dict[str, Any]:
@@ -100,6 +104,8 @@ class MonteCarloJob(ShotsJob):
 
     def identity(self) -> dict[str, object]:
         """Return the identity of the chunks: everything that they depend on."""
+        setting = self.settings[0]
+        differences = {name: setting.differences(name).identity() for name in self.differenced}
         return {
             # First, so that what differs names it.
             **scene_identity(self.scene),
@@ -110,6 +116,7 @@ class MonteCarloJob(ShotsJob):
             **({"measures": list(self.measures)} if self.measures else {}),
             **caught_at(self.measures, self.catching_height),
             **({"gradient": list(self.gradient)} if self.gradient else {}),
+            **({"differences": differences} if differences else {}),
         }
 
     def shots_in(self, kept: pa.Table) -> int:
@@ -191,7 +198,7 @@ class MonteCarloJob(ShotsJob):
             return self._simulate(replace(setting, parameters=parameters), start, stop)[1]
 
         invalid = self.scene.outcomes["INVALID"]
-        return difference_counts(moved, setting.parameters[name], self.by, invalid)
+        return difference_counts(moved, setting.differences(name), self.by, invalid)
 
     def rows(self, which: int, threads: int | None) -> Rows | None:
         """Return the result of each measured release of a setting; None for another model.

@@ -266,9 +266,10 @@ def _estimated(
     widths = [width_of(job.measures), SUMS * len(job.scored), COUNTS * len(job.differenced)]
     first = len(total) - sum(widths)
     counts, scores, pairs = np.split(total[first:], np.cumsum(widths)[:-1])
+    differences = {name: own.differences(name) for name in job.differenced}
     slopes = {
         **score_slopes(own.model, job.scored, scores, valid, ended["made"], level),
-        **difference_slopes(own.parameters, job.differenced, pairs, level),
+        **difference_slopes(differences, pairs, level),
     }
     return Estimate(
         probability=share,

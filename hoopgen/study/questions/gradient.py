@@ -19,10 +19,10 @@ from numpy.typing import NDArray
 from hoopgen.core.units import display_unit
 from hoopgen.scene.lookup import variables_of
 from hoopgen.simulation.engine import Engine
-from hoopgen.study.jobs.differences import PAIRS, TIMES, step_of
+from hoopgen.study.jobs.differences import CENTRAL, COUNTS, Differences
 from hoopgen.study.jobs.monte_carlo import ResolvedSetting
 from hoopgen.study.models.scores import SUMS, UNIT, check_scored, split
-from hoopgen.study.statistics.intervals import newcombe_interval
+from hoopgen.study.statistics.intervals import combined_interval, newcombe_interval
 from hoopgen.text.numbers import format_percent
 from hoopgen.text.tables import table
 
@@ -39,8 +39,9 @@ class Slope:
         Per SI unit of the variable.
     low, high
         The interval of it, of the confidence of the estimate: that of the simulation alone. Of a
-        score it is normal, and NaN as the value is if no shot or every shot is made; of a
-        difference it is that of `newcombe_interval`, without the bias.
+        score it is normal; of a difference it is that of `newcombe_interval`, without the bias.
+        Where nothing is known, all three are NaN: for a score if no shot or every shot is made, for
+        a difference if no shot is valid.
     method
         "score" or "difference".
     bias
@@ -113,9 +114,9 @@ def check_gradient(names: Sequence[str], setting: ResolvedSetting) -> tuple[str,
         value = setting.parameters[name]
         if not np.isfinite(value):
             raise ValueError(f"gradient: {name} is {value:g}; expected a finite number")
-        changed = {**setting.parameters, name: value + step_of(value)}
-        drawn = setting.model.draw(0, 1, 0, changed).parameters[name]
-        if np.ndim(drawn) or drawn != changed[name]:
+        changed = setting.differences(name).values[-1]
+        drawn = setting.model.draw(0, 1, 0, {**setting.parameters, name: changed})
+        if np.ndim(drawn.parameters[name]) or drawn.parameters[name] != changed:
             raise ValueError(f"gradient: {name} is of the release model; ask for mean.{name}")
     return found
 
@@ -158,35 +159,69 @@ def score_slopes(
 
 
 def difference_slopes(
-    parameters: Mapping[str, float],
-    names: Sequence[str],
-    counts: NDArray[np.int64],
-    level: float,
+    differences: Mapping[str, Differences], counts: NDArray[np.int64], level: float
 ) -> dict[str, Slope]:
-    """Return the derivatives by parameters of the scene, from pairs of shots.
+    """Return the derivatives by parameters of the scene, from shots with several values of each.
 
     Parameters
     ----------
-    parameters
-        Of the scene.
-    names, level
-        As for `score_slopes`.
+    differences
+        By the name of the parameter.
     counts
-        As of `difference_counts`, of all shots.
+        As of `difference_counts`, of all shots, one parameter after the other.
+    level
+        Of the intervals.
     """
     found = {}
-    for name, of_name in zip(names, counts.reshape(-1, len(TIMES), PAIRS), strict=True):
-        once, twice = of_name.tolist()
-        width = 2.0 * step_of(parameters[name])
-        value, wider = _difference(once) / width, _difference(twice) / (2.0 * width)
-        both, above, below, neither = once
-        low, high = newcombe_interval(both, above, below, neither, level)
-        bias = (wider - value) / 3.0
-        found[name] = Slope(value, low / width, high / width, "difference", bias)
+    for (name, own), of_name in zip(differences.items(), counts.reshape(-1, COUNTS), strict=True):
+        if not of_name.any():
+            found[name] = Slope(nan, nan, nan, "difference", nan)
+            continue
+        count, one_sided = of_name.tolist(), own.places != CENTRAL
+        interval = _one_sided if one_sided else _central
+        value, *ends = (each / own.step for each in interval(count, own.places, 1, level))
+        wider = interval(count, own.places, 2, level)[0] / own.step
+        low, high = sorted(ends)  # a step below zero changes their order
+        found[name] = Slope(value, low, high, "difference", (wider - value) / 3.0)
     return found
 
 
-def _difference(counts: Sequence[int]) -> float:
-    """Return the share made with the larger value less that with the smaller one, by `PAIRS`."""
-    _, above, below, _ = counts
-    return (above - below) / sum(counts) if sum(counts) else nan
+Numbers = Sequence[int]
+Interval = tuple[float, float, float]
+"""A value, and the ends of its interval."""
+
+
+def _central(counts: Numbers, places: Numbers, times: int, level: float) -> Interval:
+    """Return the central difference with that many steps, for a step of 1."""
+    difference = _paired(counts, places.index(times), places.index(-times), level)
+    value, low, high = (each / (2.0 * times) for each in difference)
+    return value, low, high
+
+
+def _one_sided(counts: Numbers, places: Numbers, times: int, level: float) -> Interval:
+    """Return the one-sided difference with that many steps, for a step of 1.
+
+    Of the shares p it is 2 (p(h) - p(0)) / h - (p(2h) - p(0)) / 2h.
+    """
+    start, near, far = (places.index(place) for place in (0, times, 2 * times))
+    first = [2.0 / times * each for each in _paired(counts, near, start, level)]
+    second = [0.5 / times * each for each in _paired(counts, far, start, level)]
+    # Each shot has -1, 0 or 1 for a difference.
+    made = np.arange(len(counts))[:, None] >> np.array([start, near, far]) & 1
+    changes = made[:, 1:] - made[:, :1]
+    covariance = np.cov(changes.T, fweights=np.array(counts), ddof=0)
+    spread = sqrt(covariance[0, 0] * covariance[1, 1])
+    correlation = float(covariance[0, 1] / spread) if spread else 0.0
+    ends = (first[1], first[2]), (second[1], second[2])
+    low, high = combined_interval(first[0], ends[0], second[0], ends[1], correlation)
+    return first[0] - second[0], low, high
+
+
+def _paired(counts: Numbers, first: int, second: int, level: float) -> Interval:
+    """Return the share made with one value less that with another, by their numbers."""
+    pairs = [0, 0, 0, 0]  # neither, the first alone, the second alone, both
+    for index, count in enumerate(counts):
+        pairs[(index >> first & 1) + 2 * (index >> second & 1)] += count
+    neither, alone, other, both = pairs
+    ends = newcombe_interval(both, alone, other, neither, level)
+    return (alone - other) / sum(pairs), *ends

@@ -81,7 +81,7 @@ def newcombe_interval(
     correlation = excess / sqrt(spread) if spread else 0.0
 
     ends = (float(low_1), float(high_1)), (float(low_2), float(high_2))
-    return _combined(first, ends[0], second, ends[1], correlation)
+    return combined_interval(first, ends[0], second, ends[1], correlation)
 
 
 def newcombe_apart(first: float, of_first: Ends, second: float, of_second: Ends) -> Ends:
@@ -101,13 +101,31 @@ def newcombe_apart(first: float, of_first: Ends, second: float, of_second: Ends)
     of_second
         The ends of its interval.
     """
-    return _combined(first, of_first, second, of_second, 0.0)
+    return combined_interval(first, of_first, second, of_second, 0.0)
 
 
-def _combined(
+def combined_interval(
     first: float, of_first: Ends, second: float, of_second: Ends, correlation: float
 ) -> Ends:
-    """Return the interval of a difference, of two intervals and a correlation."""
+    """Return the interval of a difference of two estimates from their intervals.
+
+    G. Y. Zou and A. Donner (2008), Construction of confidence limits about effect measures,
+    Statistics in Medicine 27: the distances to the ends are combined as the sides of a triangle
+    whose angle is that of the correlation.
+
+    Parameters
+    ----------
+    first
+        The first estimate.
+    of_first
+        The ends of its interval.
+    second
+        The second estimate, which is subtracted.
+    of_second
+        The ends of its interval.
+    correlation
+        That of the estimates, from -1 to 1.
+    """
 
     def apart(one: float, other: float) -> float:
         return sqrt(max(one * one - 2.0 * correlation * one * other + other * other, 0.0))
@@ -171,7 +189,7 @@ def grouped_difference(
     off_a, off_b = (one - share * n for one, share in zip((a, b), shares, strict=True))
     size = float(off_a @ off_a) * float(off_b @ off_b)
     correlation = float(off_a @ off_b) / sqrt(size) if size else 0.0
-    return _combined(shares[0], ends[0], shares[1], ends[1], correlation)
+    return combined_interval(shares[0], ends[0], shares[1], ends[1], correlation)
 
 
 def _with_trials(made: ArrayLike, trials: ArrayLike) -> tuple[Floats, Floats]:

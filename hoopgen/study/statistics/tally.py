@@ -179,11 +179,7 @@ def check_scene(
     scene
         The scene whose parameters they are.
     """
-    resolved = resolve(parameters, 1, scene.table)
-    wrong = [name for name, value in (parameters or {}).items() if np.ndim(value)]
-    if wrong:
-        raise ValueError(f"parameters: expected one number for {', '.join(wrong)}")
-    values = {name: float(value) for name, value in resolved.items()}
+    values = {n: float(value) for n, value in resolve(parameters, None, scene.table).items()}
     endless = [n for n, v in values.items() if not np.isfinite(v) and not _infinite(scene, n, v)]
     if endless:
         text = join_names(f"{name} {values[name]}" for name in endless)

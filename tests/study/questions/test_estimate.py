@@ -562,12 +562,12 @@ def test_a_comparison_in_words() -> None:
         (
             {"parameters": hoopgen.PAPER | {"gravity": [9.8, 9.9]}},
             ValueError,
-            "parameters.'gravity'.: expected one number or 1",
+            "parameters.'gravity'.: expected one number for all shots, got .9.8, 9.9",
         ),
         (
             {"parameters": hoopgen.PAPER | {"gravity": [9.8]}},
             ValueError,
-            "parameters: expected one number for gravity",
+            "parameters.'gravity'.: expected one number for all shots, got .9.8",
         ),
         ({"model": MEAN}, TypeError, "model: expected a Scatter, a Resample, or what else draws"),
         ({"model": Scatter({"speed": 7})}, ValueError, "variables: missing height, distance"),

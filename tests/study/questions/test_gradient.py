@@ -3,18 +3,29 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 pytest.importorskip("pyarrow")
 pytest.importorskip("scipy")
 
 import hoopgen
 from hoopgen.study.jobs import monte_carlo
-from hoopgen.study.jobs.differences import step_of
+from hoopgen.study.jobs.differences import (
+    CENTRAL,
+    COUNTS,
+    ONE_SIDED,
+    STEP,
+    Differences,
+    difference_counts,
+    differences_of,
+)
 from hoopgen.study.models.scores import SUMS, UNIT, score_sums
 from hoopgen.study.questions.gradient import Slope, difference_slopes
 from tests.helpers.commands import failure, succeed
@@ -104,7 +115,7 @@ def test_intervals_of_the_gradient_contain_the_truth_as_often_as_they_say() -> N
 
 
 def test_a_parameter_is_differenced_over_the_same_shots() -> None:
-    shots, step = 20_000, step_of(0.7)
+    shots, step = 20_000, 0.7 * STEP
     slope = found(shots, 4, ["restitution"])["restitution"]
     shares = [
         hoopgen.estimate(PLAYER, {"restitution": 0.7 + times * step}, shots=shots, seed=4)
@@ -126,7 +137,7 @@ def test_gravity_moves_the_release_of_an_aim_too() -> None:
     aim = {name: value for name, value in RELEASE.items() if name != "speed"} | {"aim": 0.05}
     player = hoopgen.Scatter(aim, SD)
     slope = hoopgen.estimate(player, shots=20_000, gradient=["gravity"]).gradient["gravity"]
-    step = step_of(9.81)
+    step = 9.81 * STEP
     made = [
         hoopgen.estimate(player, {"gravity": 9.81 + sign * step}, shots=20_000).probability
         for sign in (1, -1)
@@ -224,11 +235,124 @@ def test_the_command_and_the_study_file(tmp_path: Path) -> None:
     assert answer["numbers"]["gradient"] == record["gradient"]
 
 
-def test_an_interval_has_a_width_where_no_pair_of_shots_differs() -> None:
-    counts = np.array([30, 0, 0, 70] * 2, np.int64)
-    slope = difference_slopes({"restitution": 0.65}, ["restitution"], counts, 0.95)["restitution"]
-    assert slope.value == 0.0
-    assert slope.low < 0.0 < slope.high
+def share_slope(
+    share: Callable[[float], float], differences: Differences, uniform: NDArray[np.float64]
+) -> Slope:
+    """Return the slope of shots that are made where their uniform number is below the share."""
+
+    def simulated(value: float) -> Any:
+        return SimpleNamespace(outcome=np.where(uniform < share(value), 0, 1))
+
+    counts = difference_counts(simulated, differences, 0, 4)
+    return difference_slopes({"it": differences}, counts, 0.95)["it"]
+
+
+SIDES = [
+    Differences(0.0, STEP),
+    Differences(0.0, STEP, ONE_SIDED),
+    Differences(0.0, -STEP, ONE_SIDED),
+]
+
+
+@pytest.mark.parametrize("differences", SIDES)
+def test_differences_have_the_derivative_and_the_bias_of_a_cubic(differences: Differences) -> None:
+    uniform = (np.arange(1 << 20) + 0.5) / (1 << 20)  # shares are exact to 2^-21
+    slope = share_slope(lambda v: 0.3 + v + 5 * v**2 + 500 * v**3, differences, uniform)
+    # Of the term in v^3 a central difference is 500 h^2, a one-sided one -1000 h^2.
+    bias = 500 * STEP**2 * (1 if differences.places == CENTRAL else -2)
+    rounding = 8 * 2.0**-21 / (2 * STEP)  # the coefficients of a difference add up to 8 at the most
+    assert abs(slope.value - (1 + bias)) < rounding
+    assert abs(slope.bias - bias) < rounding
+    assert slope.low < slope.value < slope.high
+
+
+@pytest.mark.parametrize("differences", SIDES)
+def test_intervals_of_differences_contain_a_known_derivative_as_often_as_they_say(
+    differences: Differences,
+) -> None:
+    """Demand 92% to 98% of 95% intervals; of a share in v and v^2 a difference has no bias."""
+    runs, hits = 1000, 0  # the standard error is 0.7%
+    generator = np.random.default_rng(3)
+    for _ in range(runs):
+        slope = share_slope(lambda v: 0.3 + 3 * v + 9 * v**2, differences, generator.random(4000))
+        hits += slope.low <= 3 <= slope.high
+    assert 0.92 * runs <= hits <= 0.98 * runs
+
+
+@pytest.mark.parametrize("places", [CENTRAL, ONE_SIDED])
+def test_an_interval_has_a_width_where_no_shot_changes(places: tuple[int, ...]) -> None:
+    counts = np.zeros(COUNTS, np.int64)
+    counts[[0, -1]] = 70, 30
+    slope = difference_slopes({"restitution": Differences(0.65, 0.01, places)}, counts, 0.95)
+    assert slope["restitution"].value == 0.0
+    assert slope["restitution"].low < 0.0 < slope["restitution"].high
+
+
+def test_without_a_valid_shot_the_interval_is_unknown_too() -> None:
+    none = np.zeros(COUNTS, np.int64)
+    slope = difference_slopes({"restitution": Differences(0.65, 0.01)}, none, 0.95)["restitution"]
+    assert np.isnan([slope.value, slope.low, slope.high, slope.bias]).all()
+
+
+@pytest.mark.parametrize(
+    ("value", "limits", "step", "places"),
+    [
+        (0.7, (0, 1), 0.7 * STEP, CENTRAL),
+        (0.995, (0, 1), (1 - 0.995) / 2, CENTRAL),
+        (0.999, (0, 1), -0.999 * STEP, ONE_SIDED),
+        (1.0, (0, 1), -STEP, ONE_SIDED),
+        (0.0, (0, 1), STEP, ONE_SIDED),
+        (-0.996, (-1, 1), (1 - 0.996) / 2, CENTRAL),
+        (-1.0, (-1, 1), STEP, ONE_SIDED),
+        (0.0, (-1, 1), STEP, CENTRAL),
+    ],
+)
+def test_steps_stay_within_the_limits(
+    value: float, limits: tuple[float, float], step: float, places: tuple[int, ...]
+) -> None:
+    found = differences_of(value, limits, lambda _: True)
+    assert found is not None
+    assert (found.step, found.places) == (pytest.approx(step, rel=1e-12), places)
+    assert all(limits[0] <= each <= limits[1] for each in found.values)
+
+
+@pytest.mark.parametrize(
+    ("scene", "name", "value"),
+    [
+        (hoopgen.HOOP, "restitution", 0.995),
+        (hoopgen.HOOP, "restitution", 1.0),
+        (hoopgen.HOOP, "restitution", 0.0),
+        (hoopgen.COURT, "inertia", 1.0),
+        (hoopgen.COURT, "tangential_restitution", 1.0),
+        (hoopgen.COURT, "ring_friction", 0.0),
+    ],
+)
+def test_a_gradient_at_a_limit_differences_allowed_values(
+    scene: hoopgen.Engine, name: str, value: float
+) -> None:
+    def made(moved: float) -> float:
+        return hoopgen.estimate(PLAYER, {name: moved}, scene=scene, shots=4_000).probability
+
+    found = hoopgen.estimate(PLAYER, {name: value}, scene=scene, shots=4_000, gradient=[name])
+    slope = found.gradient[name]
+    if value == 0.995:
+        step = (1.0 - value) / 2
+        expected = (made(value + step) - made(value - step)) / (2 * step)
+    else:
+        step = -STEP if value else STEP
+        expected = (4 * made(value + step) - made(value + 2 * step) - 3 * found.probability) / (
+            2 * step
+        )
+    assert slope.value == pytest.approx(expected, rel=1e-9, abs=1e-12)
+    assert slope.low < slope.value < slope.high
+
+
+def test_a_parameter_with_no_room_around_its_value_is_refused(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("hoopgen.study.jobs.differences.differences_of", lambda *_: None)
+    with pytest.raises(ValueError, match=r"gradient: restitution is 0\.7, and the values around"):
+        hoopgen.estimate(PLAYER, shots=100, gradient=["restitution"])
 
 
 @pytest.mark.parametrize("speed", [3.0, 7.17])
