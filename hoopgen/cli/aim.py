@@ -94,6 +94,7 @@ def _needs(typed: Mapping[str, Any]) -> list[str]:
 
 
 @command(
+    short_help="Find the release through a point, and how far it may be off.",
     needs=_needs,
     epilog=UNITS_IN_WORDS
     + examples(

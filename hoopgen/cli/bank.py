@@ -39,6 +39,7 @@ _SCATTER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1d
 
 
 @command(
+    short_help="Say from where a bank shot is better than a direct one.",
     needs=place_needs,
     epilog=UNITS_IN_WORDS
     + examples(

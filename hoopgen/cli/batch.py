@@ -32,6 +32,7 @@ cells than the header. In CSV with semicolons or tabs, numbers may have decimal 
 
 
 @command(
+    short_help="Simulate the releases of a table.",
     epilog=_COLUMNS
     + examples(
         "hoopgen batch releases.csv --out results.parquet",
@@ -40,7 +41,7 @@ cells than the header. In CSV with semicolons or tabs, numbers may have decimal 
         "hoopgen batch releases.xlsx --out results.parquet --column speed=release_speed_mph \\",
         "    --reason --by player --where 'season == 2024' --events contacts.parquet",
         "hoopgen batch states.arrow --out results.parquet --scheduler tcp://10.0.0.1:8786",
-    )
+    ),
 )
 @click.option(
     "--out",

@@ -7,19 +7,21 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import click
+
 import hoopgen
 from hoopgen.core.units import DEGREE, column_name, display_unit
 from hoopgen.report.quantities import for_json
 from hoopgen.study.questions.measured_specification import BestQuestion
-from hoopgen.study.questions.settings import TableSettings
 from hoopgen.text.numbers import format_interval, format_percent, format_points
 from hoopgen.text.tables import table
 
 from .command import command
 from .messages import echo_json, echo_lines, examples, shown
 from .options import json_option, picture_option, preset_options, units_option
-from .player_option import fitted_player, from_table
-from .question_options import question_options, setting_options
+from .place_option import player_place_option
+from .player_option import TableOptions, fitted_player, from_table
+from .question_options import question_options
 from .scene_option import engine_of, scene_option
 
 if TYPE_CHECKING:
@@ -29,15 +31,16 @@ if TYPE_CHECKING:
 
 
 @command(
+    short_help="Say which shot a player makes most often from each place.",
     epilog=examples(
         "hoopgen best --makes 70% --preset nba --picture best.svg",
         "hoopgen best --makes 80% --preset fiba --step 1m --units us",
         "hoopgen best --scene court --preset nba --step 3m --shots 2000",
         "hoopgen best --from my_shots.csv --where 'player == Ann' --preset nba --json",
-    )
+    ),
 )
 @from_table
-@setting_options(TableSettings, only="where")
+@player_place_option("Where all rows of the table were released")
 @scene_option
 @preset_options
 @question_options(BestQuestion)
@@ -46,10 +49,10 @@ if TYPE_CHECKING:
 @json_option
 def best(
     file: Path | None,
-    where: tuple[str, ...],
+    table: TableOptions,
+    place: str | None,
     preset: str,
     settings: Mapping[str, float],
-    override: bool,
     picture: Path | None,
     as_json: bool,
     **options: Any,
@@ -61,7 +64,11 @@ def best(
     another seed says how far the results are from exact.
     """
     engine = engine_of()
-    player = fitted_player(file, where, engine, preset, settings, override=override)
+    if file is not None and options["makes"] is not None:
+        raise click.UsageError("--from has the player's releases; leave out --makes")
+    if file is None and place is not None:
+        raise click.UsageError("--place: it is of measured releases; give --from")
+    player = fitted_player(file, table, place, engine, preset, settings)
     with shown() as progress:
         found = hoopgen.best_shots(
             player.fitted, player.parameters, scene=engine, progress=progress, **options

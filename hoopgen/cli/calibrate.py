@@ -13,12 +13,19 @@ from hoopgen.study.questions.measured_specification import CalibrateQuestion
 
 from .command import command
 from .messages import echo_json, echo_lines, examples
-from .options import json_option, override_option, picture_option, preset_options
+from .options import (
+    instrument_option,
+    json_option,
+    override_option,
+    picture_option,
+    preset_options,
+    units_option,
+)
 from .path_types import FILE
 from .question_options import question_options
 from .scene_option import engine_of, scene_option
 from .shot_files import reading_of, simulation_options, with_its_scene
-from .types import DEVIATION, once
+from .types import PARAMETER_BOUNDS
 
 _COLUMNS = """\b
 One row is a shot: its release, as for hoopgen batch, and what was seen of its end:
@@ -33,34 +40,28 @@ Only made or outcome is needed; an empty cell is not known.
 
 
 @command(
+    short_help="Find restitution and friction from how shots ended.",
     epilog=_COLUMNS
     + examples(
         "hoopgen calibrate shots.csv --vary restitution --preset nba",
         "hoopgen calibrate shots.csv --vary ring_restitution --vary ring_friction=0.1:1.0 \\",
         "    --scene court --preset nba \\",
         "    --instrument speed=3cm/s --instrument elevation=0.5deg",
-    )
+    ),
 )
 @click.argument("file", type=FILE, callback=with_its_scene)
 @scene_option
 @preset_options
 @override_option
-@click.option(
-    "--instrument",
-    "errors",
-    type=DEVIATION,
-    multiple=True,
-    callback=once,
-    help="Standard error of the measurement of a variable, speed=3cm/s; by default columns "
-    "sd_speed_m_s ... of the table, as hoopgen fit writes them. May be repeated.",
-)
-@question_options(CalibrateQuestion)
+@instrument_option()
+@question_options(CalibrateQuestion, vary={"type": PARAMETER_BOUNDS})
 @picture_option("profiles of the likelihood")
+@units_option
 @json_option
 def calibrate(
     file: Path,
     override: bool,
-    errors: Mapping[str, float],
+    instrument: Mapping[str, float],
     picture: Path | None,
     as_json: bool,
     preset: str,
@@ -81,7 +82,7 @@ def calibrate(
         file,
         scene=engine,
         parameters=asked["parameters"],
-        errors=errors or None,
+        errors=instrument or None,
         override=override,
         **options,
     )

@@ -17,7 +17,7 @@ from hoopgen.text.tables import table
 
 from .command import command
 from .messages import examples
-from .options import UNITS_IN_WORDS, argument_options, json_option, preset_options
+from .options import UNITS_IN_WORDS, argument_options, json_option, preset_options, units_option
 from .path_types import FILE
 from .question_options import setting_options
 from .scene_option import NEEDED, engine_of, own_options, parameters_of, release_state, shot_needs
@@ -42,6 +42,7 @@ def _needs(typed: Mapping[str, Any]) -> list[str]:
 
 
 @command(
+    short_help="Prove what a shot does, in ball arithmetic.",
     needs=_needs,
     epilog=UNITS_IN_WORDS
     + examples(
@@ -62,6 +63,7 @@ def _needs(typed: Mapping[str, Any]) -> list[str]:
     show_default=True,
     help="Precision, in bits, up to which decisions are tried.",
 )
+@units_option
 @json_option
 @click.pass_context
 def certify(

@@ -12,6 +12,9 @@ import click
 from hoopgen.core.files import same_file
 from hoopgen.study.questions.settings import ASKED, COMPUTED, MEASURED, RELEASE, RESULTS
 
+from .messages import error_text
+from .spelling import options_of, spell_options
+
 Needs = Callable[[Mapping[str, Any]], Sequence[str]]
 """Function from the options as they are typed, by name, to what is missing beside the required
 options, such as ``--speed (or --aim)``."""
@@ -38,6 +41,9 @@ GROUPS: Mapping[str, tuple[str, ...]] = {
 """Options that are no settings, by the heading under which a long help lists them."""
 
 _OTHERS = "Options"
+
+_TABLE = "The table"
+"""Heading of the options of measured releases where a command has no scatter."""
 
 _HEADING = {name: heading for heading, names in GROUPS.items() for name in names}
 
@@ -104,14 +110,28 @@ class Command(click.Command):
                     raise click.BadParameter(text, ctx, param)
         try:
             return super().invoke(ctx)
-        except ValueError as error:
-            text = self.in_options(str(error))
-            if text == str(error):
+        except (click.Abort, click.exceptions.Exit, RecursionError):
+            raise
+        except (ImportError, OSError, RuntimeError, ValueError) as error:
+            if isinstance(error, OSError) and error.filename is not None:
+                raise  # it begins with a file, which may be called like an argument
+            said = error_text(error)
+            text = self.in_options(said, ctx.command_path)
+            if text == said:
                 raise
             raise click.ClickException(text) from error
 
-    def in_options(self, text: str) -> str:
-        """Return an error of the library with the option in place of the argument that it names."""
+    def in_options(self, text: str, path: str = "hoopgen") -> str:
+        """Return an error of the library with the option in place of the argument that it names.
+
+        Parameters
+        ----------
+        text
+            The error.
+        path
+            The command, as ``hoopgen estimate``.
+        """
+        text = spell_options(text, options_of(self), path)
         match = _ARGUMENT.match(text)
         if match is None:
             return text
@@ -123,6 +143,11 @@ class Command(click.Command):
         if option is not None:
             return f"{' '.join(filter(None, (_name(option), key)))}: {rest}"
         return rest if argument in _WITHOUT_OPTION else text
+
+    def _title(self, heading: str) -> str:
+        """Return a heading as it is of this command: not each has a scatter."""
+        names = {one.name for one in self.params}
+        return heading if heading != MEASURED or "scatter" in names else _TABLE
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write the options, many of them in groups with headings.
@@ -141,7 +166,7 @@ class Command(click.Command):
             return
         for heading, rows in records.items():
             if rows:
-                with formatter.section(heading):
+                with formatter.section(self._title(heading)):
                     formatter.write_dl(rows)
 
 
@@ -199,7 +224,12 @@ def note_output(ctx: click.Context | None, param: click.Parameter | None, path: 
 _ARGUMENT = re.compile(r"(?P<argument>[a-z_]+)(?:\[['\"](?P<key>\w+)['\"]\])?: ")
 """Beginning of an error of the library that is of an argument, or of one value in it."""
 
-_ALIASES = {"scatter": ("sd",), "settings": ("parameters",), "file": ("columns",)}
+_ALIASES = {
+    "scatter": ("sd",),
+    "settings": ("parameters",),
+    "file": ("columns",),
+    "instrument": ("errors",),
+}
 """Arguments of the library that an option becomes, by the name of its parameter."""
 
 _WITHOUT_OPTION = ("variables", "release", "model", "aim", "stop")

@@ -21,6 +21,7 @@ from .scene_option import engine_of, own_options, parameters_of, release_state, 
 
 
 @command(
+    short_help="Find the smallest changes with which a shot ends otherwise.",
     needs=shot_needs,
     epilog=UNITS_IN_WORDS
     + examples(

@@ -29,14 +29,32 @@ def _listed(root: Path, written: list[Path]) -> bool:
     return bool(written)
 
 
+def _check_root(ctx: click.Context, param: click.Parameter, root: Path | None) -> Path | None:
+    """Refuse a folder from which nothing can be generated, before anything is written into it."""
+    if root is not None and (
+        missing := [f"{name}/" for name in _SOURCES if not (root / name).is_dir()]
+    ):
+        text = f"{root} is no source checkout: it has no {' and no '.join(missing)}"
+        raise click.BadParameter(text, ctx, param)
+    return root
+
+
+_SOURCES = ("derive", "templates")
+"""Folders of a source checkout from which generated/ is written."""
+
+
 _root_option = click.option(
     "--root",
     type=click.Path(exists=True, file_okay=False, path_type=Path),
+    callback=_check_root,
     help="The source checkout; by default the one hoopgen runs from.",
 )
 
 
-@click.command(epilog=examples("hoopgen generate", "hoopgen generate --root ../hoopgen"))
+@click.command(
+    short_help="Write generated/ anew from derive/ and templates/.",
+    epilog=examples("hoopgen generate", "hoopgen generate --root ../hoopgen"),
+)
 @_root_option
 def generate(root: Path | None) -> None:
     """Write generated/ anew from derive/ and templates/.
@@ -56,7 +74,10 @@ def generate(root: Path | None) -> None:
         click.echo("nothing to write: generated/ is up to date")
 
 
-@click.command(epilog=examples("hoopgen check", "hoopgen check --root ../hoopgen"))
+@click.command(
+    short_help="Compare generated/ with what derive/ and templates/ give.",
+    epilog=examples("hoopgen check", "hoopgen check --root ../hoopgen"),
+)
 @_root_option
 @click.pass_context
 def check(ctx: click.Context, root: Path | None) -> None:
@@ -81,6 +102,7 @@ def check(ctx: click.Context, root: Path | None) -> None:
 
 
 @click.command(
+    short_help="Measure how fast hoopgen is, in a source checkout.",
     context_settings={"ignore_unknown_options": True},
     epilog=examples("hoopgen bench", "hoopgen bench -- --help"),
 )

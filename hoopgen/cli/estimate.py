@@ -30,6 +30,7 @@ _PITCH = "--scatter vx=0.1 --scatter vy=0.05"
 
 
 @command(
+    short_help="Estimate how probably a shot is made.",
     needs=release_needs,
     epilog=UNITS_IN_WORDS
     + examples(

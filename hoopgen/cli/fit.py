@@ -28,6 +28,7 @@ A column of another name is read with --column time_ms=Timestamp. Rows need no o
 
 
 @command(
+    short_help="Fit the releases of measured tracks of the ball.",
     epilog=_COLUMNS
     + examples(
         "hoopgen fit tracks.csv --out releases.csv --preset nba",
@@ -36,7 +37,7 @@ A column of another name is read with --column time_ms=Timestamp. Rows need no o
         "hoopgen fit tracks.csv --out releases.csv --scene court --preset nba --backspin 3Hz \\",
         "    --backspin-sd 1Hz",
         "hoopgen batch releases.csv --out results.csv",
-    )
+    ),
 )
 @click.argument("file", type=FILE)
 @click.option(

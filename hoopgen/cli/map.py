@@ -37,6 +37,7 @@ _FREE_THROW = "--backspin 3Hz --height 7ft --distance 13.75ft"
 
 @command(
     "map",
+    short_help="Map a shot over any of its variables.",
     needs=release_needs,
     epilog=UNITS_IN_WORDS
     + examples(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 import sys
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -72,6 +73,30 @@ def echo_json(record: Any) -> None:
     click.echo(json.dumps(record, indent=2, allow_nan=False))
 
 
+class _Shown:
+    """Function of progress that moves a bar, and begins its clock when the work begins."""
+
+    def __init__(self, bar: Any) -> None:
+        self.bar = bar
+        self.begun: tuple[float, int] | None = None
+        """The time of the first call, and what was done by then."""
+
+    def __call__(self, done: int, total: int | None) -> None:
+        """Show how much is done; a smaller number than before begins another stage."""
+        bar, now = self.bar, time.time()  # the clock of click's bar
+        if self.begun is None or done < bar.pos or (bar.length is None and total is not None):
+            self.begun, bar.avg, bar.eta_known = (now, done), [], False
+            bar.start = bar.last_eta = now
+        started, before = self.begun
+        if done > before:
+            # click takes the time since the start for that of all steps, those before it too.
+            bar.start = now - (now - started) * done / (done - before)
+        bar.length = total
+        if done < bar.pos:
+            bar.pos = 0
+        bar.update(done - bar.pos)
+
+
 @contextmanager
 def shown() -> Iterator[Callable[[int, int | None], None]]:
     """Show on stderr, if that is a terminal, how far work is and the time left.
@@ -88,13 +113,9 @@ def shown() -> Iterator[Callable[[int, int | None], None]]:
             yield lambda done, total: None
             return
         with click.progressbar(itertools.count(), file=sys.stderr) as bar:
-
-            def show(done: int, total: int | None) -> None:
-                bar.length = total
-                bar.update(done - bar.pos)
-
-            yield show
+            yield _Shown(bar)
     except KeyboardInterrupt as error:
         for note in getattr(error, "__notes__", ()):
-            click.echo(f"hoopgen: {printable(note)}", err=True)
+            text = note.replace("the same call goes on", "the same command goes on")
+            click.echo(f"hoopgen: {printable(text)}", err=True)
         raise

@@ -27,6 +27,7 @@ _AIMING = ("speed", "aim", "azimuth")
 
 
 @command(
+    short_help="Find the release that goes in most often.",
     needs=release_needs,
     epilog=UNITS_IN_WORDS
     + examples(

@@ -18,7 +18,7 @@ from .place_option import place_option
 from .question_options import setting_options, together
 from .scene_option import NEEDED, engine_of, parameters_of, scene_option
 from .shot_files import reading_of, simulation_options, with_its_scene
-from .types import ASSIGNMENT, SETTING, once, quantity
+from .types import ASSIGNMENT, DEVIATION, SETTING, once, quantity
 
 Decorator = Callable[[Any], Any]
 
@@ -109,16 +109,20 @@ override_option = click.option(
 reading_options = setting_options(TableSettings, Parsing)
 """Options of how a table is read; `hoopgen.cli.shot_files.reading_of` takes them."""
 
+release_option = click.option(
+    "--release",
+    type=ASSIGNMENT,
+    multiple=True,
+    callback=once,
+    help="A variable that all rows of the table share, in place of a column, height=7ft; may be "
+    "repeated.",
+)
+"""``--release`` of a command that reads a table."""
+
 _TABLE = together(
     click.argument("file", type=FILE, callback=with_its_scene),
     scene_option,
-    click.option(
-        "--release",
-        type=ASSIGNMENT,
-        multiple=True,
-        callback=once,
-        help="A variable that all rows share, in place of a column; may be repeated.",
-    ),
+    release_option,
     place_option,
     preset_options,
     override_option,
@@ -145,6 +149,18 @@ def table_options(command: Callable[..., Any]) -> Callable[..., Any]:
     return decorated
 
 
+def instrument_option(when: str = "") -> Decorator:
+    """Return ``--instrument``, the standard errors of a measurement; `when` ends a clause."""
+    return click.option(
+        "--instrument",
+        type=DEVIATION,
+        multiple=True,
+        callback=once,
+        help=f"Standard error of the measurement of a variable, speed=2cm/s{when}; by default "
+        "columns sd_speed_m_s ... of the table, as hoopgen fit writes them. May be repeated.",
+    )
+
+
 json_option = click.option(
     "--json", "as_json", is_flag=True, help="Write everything as JSON; SI units, numbers in full."
 )
@@ -154,16 +170,22 @@ def _use_units(ctx: click.Context, _: click.Parameter, system: System) -> None:
     ctx.with_resource(use_units(system))
 
 
-units_option = click.option(
-    "--units",
-    type=click.Choice(["si", "us"], case_sensitive=False),
-    default="si",
-    show_default=True,
-    expose_value=False,
-    callback=_use_units,
-    help="Units of text and pictures, not of files: metres, m/s, kg; or feet, inches, mph, ounces.",
-)
-"""``--units``; it holds for as long as the command runs."""
+def units_option_of(system: System) -> Decorator:
+    """Return ``--units`` with a default; it holds for as long as the command runs."""
+    return click.option(
+        "--units",
+        type=click.Choice(["si", "us"], case_sensitive=False),
+        default=system,
+        show_default=True,
+        expose_value=False,
+        callback=_use_units,
+        help="Units of text and pictures, not of files: metres, m/s, kg; or feet, inches, mph, "
+        "ounces.",
+    )
+
+
+units_option = units_option_of("si")
+"""``--units``, SI by default."""
 
 
 def picture_option(what: str) -> Decorator:

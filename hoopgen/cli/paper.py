@@ -32,11 +32,12 @@ TABLE = "table.txt"
 
 
 @command(
+    short_help="Simulate the article's shots and compare with its numbers.",
     epilog=examples(
         "hoopgen paper",
         "hoopgen paper --events",
         "hoopgen paper --out figures --format svg",
-    )
+    ),
 )
 @click.option("--out", type=FOLDER, help="Write the table and draw Figs. 5-7 into this folder.")
 @click.option(

@@ -81,5 +81,8 @@ PAGE = _ending(PAGES)
 MAP = _ending(MAPS)
 """A map to be written."""
 
+ZIP = _ending((".zip",))
+"""An archive to be written."""
+
 FOLDER = Checked(check_folder, _Path(file_okay=False, path_type=Path))
 """A folder to be written."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import click
@@ -59,7 +60,9 @@ def _expand(ctx: click.Context) -> None:
     release = ctx.params.get("release")  # what all rows of a table share
     both = [n for n in _OTHERS if given(n) or (isinstance(release, dict) and n in release)]
     if both:
-        raise click.UsageError(f"--place says where; leave out {join_names(both)}")
+        before = "--" if release is None else "--release "
+        spelled = join_names(f"{before}{name}" for name in both)
+        raise click.UsageError(f"--place says where; leave out {spelled}")
     scene = engine_of()
     if not scene.has_hoop:
         raise click.UsageError(
@@ -78,13 +81,22 @@ def _expand(ctx: click.Context) -> None:
             ctx.set_parameter_source(param.name, ParameterSource.COMMANDLINE)
 
 
+_NAMED = (
+    f"{', '.join(PLACES)}, on the NBA's court or, with --preset fiba, on FIBA's. Put left or "
+    "right, as the shooter sees it, before a place with a side."
+)
+
+
+def player_place_option(what: str) -> Callable[[Any], Any]:
+    """Return ``--place`` of a command about a player, which is given the name."""
+    return click.option("--place", type=PlaceName(), help=f"{what}: {_NAMED}")
+
+
 place_option = click.option(
     "--place",
     type=PlaceName(),
     expose_value=False,
     callback=_take,
-    help=f"Named place, which replaces distance and angle: {', '.join(PLACES)}, on the NBA's "
-    "court or, with --preset fiba, on FIBA's. Put left or right, as the shooter sees it, before a "
-    "place with a side.",
+    help=f"Named place, which replaces distance and angle: {_NAMED}",
 )
 """``--place``; the command has ``--preset`` and ``--set`` too."""

@@ -2,26 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import functools
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
+import numpy as np
+
+from hoopgen.hoop.court_places import find_place
+from hoopgen.text.shorten import join_names
 
 from .messages import echo_lines
-from .options import override_option
+from .options import instrument_option, override_option, reading_options, release_option
 from .path_types import FILE
 from .question_options import together
-from .scene_option import parameters_of
-from .shot_files import simulation_options, with_its_scene
+from .scene_option import given, parameters_of
+from .shot_files import (
+    READING,
+    names_table,
+    option_of,
+    reading_of,
+    simulation_options,
+    with_its_scene,
+)
 
 if TYPE_CHECKING:
     from hoopgen.simulation.engine import Engine
     from hoopgen.study.models.fitted_scatter import FittedScatter
     from hoopgen.study.models.scatter import Scatter
+    from hoopgen.study.tables.reading import ReadingOptions
 
-from_table = together(
+_FROM = together(
     click.option(
         "--from",
         "file",
@@ -31,8 +44,55 @@ from_table = together(
         "in place of the default player; a file of results says the scene, too.",
     ),
     override_option,
+    release_option,
+    instrument_option(),
+    reading_options,
 )
-"""``--from`` of a command about a player, and ``--override`` with it."""
+
+
+@dataclass(frozen=True)
+class TableOptions:
+    """Settings for reading the table of measured releases.
+
+    Attributes
+    ----------
+    reading
+        The format, the columns and the rows.
+    release
+        Variables that all rows share, SI.
+    errors
+        Variances of the measuring errors by variable, in place of columns, SI.
+    override
+        True if the options replace the scene that a file of results says.
+    """
+
+    reading: ReadingOptions
+    release: Mapping[str, float]
+    errors: Mapping[str, float]
+    override: bool
+
+
+def from_table(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add ``--from`` and what goes with it; give `file` and `table` to the command."""
+
+    @functools.wraps(command)
+    def collected(
+        *arguments: Any,
+        file: Path | None,
+        release: Mapping[str, float],
+        instrument: Mapping[str, float],
+        override: bool,
+        **options: Any,
+    ) -> Any:
+        stray = [name for name in ("release", "instrument", "override", *READING) if given(name)]
+        if file is None and stray:
+            raise click.UsageError(f"{option_of(stray[0])}: there is no table; give --from")
+        errors = {name: sd**2 for name, sd in instrument.items()}
+        table = TableOptions(reading_of(options), release, errors, override)
+        return command(*arguments, file=file, table=table, **options)
+
+    decorated: Callable[..., Any] = _FROM(collected)
+    return decorated
 
 
 @dataclass(frozen=True)
@@ -66,12 +126,11 @@ class Player:
 
 def fitted_player(
     file: Path | None,
-    where: tuple[str, ...],
+    options: TableOptions,
+    place: str | None,
     engine: Engine,
     preset: str,
     settings: Mapping[str, float],
-    *,
-    override: bool,
 ) -> Player:
     """Return the player fitted to a table, in the scene of the table or of the options.
 
@@ -79,37 +138,49 @@ def fitted_player(
     ----------
     file
         A table of measured releases: CSV, Parquet, Arrow or .xlsx.
-    where
-        Conditions such as ``player == Ann``, all of which a row has to meet.
+    options
+        How it is read.
+    place
+        The name of the place where all rows were released; None where the table says it.
     engine
         The scene.
     preset, settings
         ``--preset`` and ``--set``.
-    override
-        True if the options replace the scene that a file of results says.
 
     Raises
     ------
     click.UsageError
-        If an option is of a table and there is none.
+        If the options say twice where the rows were released.
     ValueError
         If the table cannot be read, contradicts the options, or has too few rows to fit a player.
     """
     if file is None:
-        for option, given in (("--where", where), ("--override", override)):
-            if given:
-                raise click.UsageError(f"{option}: there is no table; give --from")
         return Player(None, parameters_of(engine, preset, settings))
     from hoopgen.study.models.scatter import Scatter
-    from hoopgen.study.tables.reading import ReadingOptions
+    from hoopgen.study.tables.provenance import origin_of
 
-    reading = ReadingOptions.from_options(where=where)
-    asked, assumption = simulation_options(engine, file, reading)
-    source = reading.source(file)
-    table = reading.interpreted(source, asked["parameters"], override=override, scene=engine)
+    asked, assumption = simulation_options(engine, file, options.reading)
+    source = options.reading.source(file)
+    parameters, release = asked["parameters"], dict(options.release)
+    if place is not None:
+        if both := [name for name in ("distance", "angle", "x", "y") if name in release]:
+            spelled = join_names(f"--release {name}" for name in both)
+            raise click.UsageError(f"--place says where; leave out {spelled}")
+        origin = None if options.override else origin_of(source, engine)
+        scene = parameters or (origin.parameters if origin else engine.parameters)
+        release |= find_place(place, scene).variables
+    table = options.reading.interpreted(
+        source, parameters, release, override=options.override, scene=engine
+    )
     measured, invalid = table.measured(source)
-    errors: Any = table.error_variances(source)
     columns: dict[str, Any] = {**table.origin.release, **measured}
-    fitted: Any = Scatter.fit(columns, measurement_covariance=errors)  # without groups, of one
+    errors: Any = {
+        name: one
+        for name, one in {**table.error_variances(source), **options.errors}.items()
+        if np.ndim(columns.get(name, 0.0))
+    }
+    fitted: Any
+    with names_table("--from", file):
+        fitted = Scatter.fit(columns, measurement_covariance=errors)  # without groups, of one
     read = f"{fitted}\n\n{table.interpretation}\n{invalid}"
     return Player(fitted, table.origin.parameters, read, assumption)

@@ -17,10 +17,11 @@ from .question_options import setting_options
 
 
 @command(
+    short_help="Write a page on which sliders throw shots.",
     epilog=examples(
         "hoopgen playground --out playground.html",
         "hoopgen playground --out playground.html --backend numpy",
-    )
+    ),
 )
 @click.option(
     "--out", type=PAGE, required=True, help="The page, .html: one file that needs no network."

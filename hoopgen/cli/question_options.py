@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import MISSING
 from typing import Any
@@ -121,7 +122,10 @@ def setting_options(
 def _attributes(name: str, setting: Setting, default: Any) -> dict[str, Any]:
     """Return the attributes of an option."""
     value = setting.value
-    text = " ".join(filter(None, (setting.help, setting.command)))
+    limits = ""
+    if isinstance(value, values.Quantity) and value.high < math.inf:
+        limits = f"{value.limits.capitalize()}."
+    text = " ".join(filter(None, (setting.help, limits, setting.command)))
     attributes: dict[str, Any] = {"cls": SettingOption, "heading": setting.heading, "help": text}
     if isinstance(value, values.Flag):
         return attributes | {"is_flag": True}
@@ -134,6 +138,8 @@ def _attributes(name: str, setting: Setting, default: Any) -> dict[str, Any]:
         value = value.of
     elif isinstance(value, _WITH_DEFAULT) and default is not MISSING:
         attributes |= {"default": default, "show_default": default not in (None, "")}
+        if isinstance(value, values.Quantity) and default:
+            attributes["default"] = f"{default!r}{value.unit}"  # as one may type it
     if isinstance(value, values.Names):
         attributes["shell_complete"] = _completion(value)
     if isinstance(value, values.Text | values.Names):
@@ -146,7 +152,7 @@ def _type(name: str, value: Value) -> Any:
         kind = _Success if isinstance(value, values.Success) else click.Choice
         return kind(list(value.allowed), case_sensitive=False)
     if isinstance(value, values.Quantity):
-        return quantity(value.kind, name)
+        return quantity(value.kind, name, value.low, value.high)
     return _TYPES.get(value) or Parsed(value.parse, value.metavar)
 
 

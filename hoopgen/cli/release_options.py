@@ -18,12 +18,26 @@ from hoopgen.simulation.lookup import BUILT_IN
 from hoopgen.study.questions.settings import MeasuredReleases
 
 from .messages import echo_lines
-from .options import VARIABLE_HELP, override_option, reading_options, scene_options, variable_option
+from .options import (
+    VARIABLE_HELP,
+    instrument_option,
+    override_option,
+    reading_options,
+    scene_options,
+    variable_option,
+)
 from .path_types import FILE
 from .place_option import PLACE, place_option
 from .question_options import setting_options, together
 from .scene_option import engine_of, given, own_needs, own_options, state_given, state_is_given
-from .shot_files import READING, reading_of, simulation_options, with_its_scene
+from .shot_files import (
+    READING,
+    names_table,
+    option_of,
+    reading_of,
+    simulation_options,
+    with_its_scene,
+)
 from .types import CORRELATION, DEVIATION, once
 
 if TYPE_CHECKING:
@@ -86,6 +100,7 @@ class Releasing:
     group: Sequence[str | None] | None = None  # label of each row, --group
     fitted: bool = False  # a scatter is fitted to the columns, --fitted
     errors: Mapping[str, Any] = field(default_factory=dict)  # of the measurement: variances
+    file: Path | None = None  # the table of the columns
 
     def fit(self) -> FittedScatter[Scatter] | FittedScatters[Scatter]:
         """Return the scatter fitted to the measured releases; with labels, of each player."""
@@ -95,7 +110,8 @@ class Releasing:
         errors: dict[str | tuple[str, str], Any] = {
             name: one for name, one in self.errors.items() if np.ndim(columns.get(name, 0.0))
         }
-        return Scatter.fit(columns, self.group, errors)
+        with names_table("--fitted", self.file):
+            return Scatter.fit(columns, self.group, errors)
 
     def model(
         self, changes: Mapping[str, float] = MappingProxyType({}), over: Iterable[str] = ()
@@ -213,7 +229,7 @@ class Releasing:
         scene, values = table.origin.parameters, table.origin.release
         errors = {n: v for n, v in table.error_variances(source).items() if n not in self.errors}
         model = replace(self, values=values, parameters=scene, measured=measured, group=labels)
-        return replace(model, errors={**errors, **self.errors}), table, invalid
+        return replace(model, file=file, errors={**errors, **self.errors}), table, invalid
 
 
 _FROM = together(
@@ -227,15 +243,7 @@ _FROM = together(
     ),
     setting_options(MeasuredReleases, only="group"),
     setting_options(MeasuredReleases, only="fitted"),
-    click.option(
-        "--instrument",
-        type=DEVIATION,
-        multiple=True,
-        callback=once,
-        help="Standard error of the measurement of a variable, speed=2cm/s, with --fitted; by "
-        "default columns sd_speed_m_s ... of the table, as hoopgen fit writes them. May be "
-        "repeated.",
-    ),
+    instrument_option(", with --fitted"),
     override_option,
     reading_options,
 )
@@ -272,7 +280,7 @@ def from_option(command: Callable[..., Any]) -> Callable[..., Any]:
                 raise click.UsageError("--override: there is no file of results; leave it out")
             stray = [name for name, value in reading_values.items() if value]
             if stray:
-                raise click.UsageError(f"{_spelled(stray[0])}: there is no table; give --from")
+                raise click.UsageError(f"{option_of(stray[0])}: there is no table; give --from")
             return command(*arguments, releasing=releasing, **options)
         reading = reading_of(reading_values)
         asked, assumption = simulation_options(releasing.engine, file, reading)
@@ -291,12 +299,6 @@ def from_option(command: Callable[..., Any]) -> Callable[..., Any]:
 
     decorated: Callable[..., Any] = _FROM(collected)
     return decorated
-
-
-def _spelled(name: str) -> str:
-    """Return an option as it is written."""
-    options = click.get_current_context().command.params
-    return next(option.opts[0] for option in options if option.name == name)
 
 
 def release_options(command: Callable[..., Any]) -> Callable[..., Any]:

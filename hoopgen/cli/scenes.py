@@ -15,21 +15,22 @@ from hoopgen.text.tables import table
 from .command import command
 from .messages import error_text, examples
 from .options import json_option
-from .path_types import OUT
+from .path_types import ZIP
 from .question_options import setting_options
 from .scene_option import SceneName, limit_option
 
 
 @command(
     "compile",
+    short_help="Compile a scene file for this processor.",
     epilog=examples("hoopgen compile netball.toml", "hoopgen compile hoop --zip hoop-c.zip"),
 )
-@click.argument("scene", type=SceneName())
+@click.argument("scene", type=SceneName(), metavar="SCENE")
 @click.option(
     "--zip",
     "package",
-    type=OUT,
-    help="Write its C sources as a package, with files for CMake and pkg-config.",
+    type=ZIP,
+    help="Write its C sources as a package, .zip, with files for CMake and pkg-config.",
 )
 @limit_option
 def compile_(scene: str, package: Path | None) -> None:
@@ -58,7 +59,10 @@ def compile_(scene: str, package: Path | None) -> None:
     click.echo("backend     c, the same bits as numpy")
 
 
-@command(epilog=examples("hoopgen cache --show", "hoopgen cache --clear"))
+@command(
+    short_help="Show or clear the folder of compiled scenes.",
+    epilog=examples("hoopgen cache --show", "hoopgen cache --clear"),
+)
 @click.option(
     "--show",
     is_flag=True,
@@ -69,6 +73,8 @@ def cache(show: bool, clear: bool) -> None:
     """Show or clear the folder of compiled scenes."""
     from hoopgen.scene.cache import clear_store, is_empty_store, user_store
 
+    if show and clear:
+        raise click.UsageError("--show and --clear exclude each other; leave one out")
     there = user_store()
     if isinstance(there, str):
         if not is_empty_store():
@@ -98,11 +104,26 @@ def cache(show: bool, clear: bool) -> None:
         click.echo(f"removed {count} scene{'s' * (count != 1)} from {there.folder}")
 
 
+class _Scenes(click.Argument):
+    """The argument of several scenes, whose errors name it without brackets."""
+
+    def get_error_hint(self, ctx: click.Context | None) -> str:
+        """Return the name.
+
+        Parameters
+        ----------
+        ctx
+            The context of the command.
+        """
+        return "'SCENES'"
+
+
 @command(
     "hash",
+    short_help="Print the SHA-256 of the results of fixed shots.",
     epilog=examples("hoopgen hash", "hoopgen hash examples/scenes/golf.toml --backend numpy"),
 )
-@click.argument("scenes", nargs=-1, type=SceneName())
+@click.argument("scenes", cls=_Scenes, nargs=-1, type=SceneName(), metavar="[SCENES]...")
 @limit_option
 @setting_options(Engines)
 @json_option

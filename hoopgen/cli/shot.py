@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
 
 @command(
+    short_help="Simulate one shot: its events, its outcome, its picture.",
     needs=shot_needs,
     epilog=UNITS_IN_WORDS
     + examples(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -137,6 +139,32 @@ def _refuse_columns(
                 f"--set {name}: the column {column} of {source.path} says it; leave it out, "
                 f"or add --own {column}"
             )
+
+
+def option_of(name: str) -> str:
+    """Return an option of this command as it is written, by the name of its parameter."""
+    options = click.get_current_context().command.params
+    return next(option.opts[0] for option in options if option.name == name)
+
+
+@contextmanager
+def names_table(option: str, file: Path | None) -> Iterator[None]:
+    """Let an error about a table name the option and the file.
+
+    Parameters
+    ----------
+    option
+        The option by which a scatter is fitted to the table.
+    file
+        The table.
+    """
+    try:
+        yield
+    except ValueError as error:
+        argument, colon, rest = str(error).partition(": ")
+        if argument != "table" or not colon:
+            raise
+        raise ValueError(f"{option}: {file}: {rest}") from None
 
 
 def reading_of(options: dict[str, Any]) -> ReadingOptions:

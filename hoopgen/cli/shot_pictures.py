@@ -42,6 +42,7 @@ _WITHIN = (0.5, 0.9)
 
 
 @command(
+    short_help="Draw the paths of a player's shots from the side.",
     needs=release_needs,
     epilog=UNITS_IN_WORDS
     + examples(
@@ -83,6 +84,7 @@ def fan(
 
 
 @command(
+    short_help="Find where a player's missed shots come down.",
     needs=release_needs,
     epilog=UNITS_IN_WORDS
     + examples(

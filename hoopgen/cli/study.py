@@ -31,12 +31,13 @@ def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> No
 
 
 @command(
+    short_help="Answer the questions of a study file.",
     epilog=examples(
         "hoopgen study free-throw.toml",
         "hoopgen study free-throw.toml --out results --report results.html",
         "hoopgen study free-throw.toml --check",
         "hoopgen study --reference",
-    )
+    ),
 )
 @click.argument("file", type=FILE)
 @click.option(

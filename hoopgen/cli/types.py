@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
@@ -12,17 +13,16 @@ from click.shell_completion import CompletionItem
 from numpy.typing import NDArray
 
 from hoopgen.core.memory import even_values
-from hoopgen.core.units import Kind, parse_quantity
+from hoopgen.core.si_checks import MAX_DEVIATION
+from hoopgen.core.units import DEGREE, Kind, parse_quantity
 from hoopgen.core.variables import STATE, Variable
-from hoopgen.hoop.releases import FROM_ZERO
 from hoopgen.hoop.variables import ALTERNATIVE_VARIABLES, ARGUMENTS, VARIABLES
 from hoopgen.report.quantities import format_variable
 from hoopgen.scene.lookup import variables_of
-from hoopgen.study.models.plausible import check_plausible
 from hoopgen.study.questions.values import Quantity, Whole
 from hoopgen.text.shorten import brief, suggestion
 
-from .command import ARGUMENTS as WORDS
+from .release_limits import check_release, from_zero
 
 Value = TypeVar("Value")
 
@@ -94,7 +94,9 @@ def number_cell(name: str, value: float) -> str:
     return "-" if np.isnan(value) else format_variable(name, value, unit=False)
 
 
-def quantity(kind: Kind, name: str = "") -> Parsed[float]:
+def quantity(
+    kind: Kind, name: str = "", low: float = -math.inf, high: float = math.inf
+) -> Parsed[float]:
     """Return the type of a number with a unit, given to the command in SI.
 
     Parameters
@@ -104,26 +106,11 @@ def quantity(kind: Kind, name: str = "") -> Parsed[float]:
     name
         Of the variable at a hoop, whose value has to be plausible; one in `FROM_ZERO` is not
         negative.
+    low, high
+        The least and the largest value, SI.
     """
-    value = Quantity(kind)
-    return Parsed(lambda text: _plausible(name, value.parse(text), text), value.metavar)
-
-
-def _plausible(name: str, value: float, text: str) -> float:
-    value = _from_zero(name, value, text)
-    return value if _keeps_implausible() else check_plausible(name, value, text)
-
-
-def _keeps_implausible() -> bool:
-    """Return whether the command's words ask for implausible numbers."""
-    context = click.get_current_context(silent=True)
-    return context is not None and "--keep-implausible" in context.meta.get(WORDS, ())
-
-
-def _from_zero(name: str, value: float, text: str) -> float:
-    if name in FROM_ZERO and value < 0.0:
-        raise ValueError(f"expected 0 {FROM_ZERO[name]} or more, got {brief(text)}")
-    return value
+    value = Quantity(kind, low, high)
+    return Parsed(lambda text: check_release(name, value.parse(text), text), value.metavar)
 
 
 SCENE = "hoopgen.scene"
@@ -181,11 +168,20 @@ class OfScene(Parsed[Value]):
 def _read(text: str, variable: Variable) -> float:
     try:
         value = parse_quantity(text, variable.kind, infinite=variable.infinite)
-        if VARIABLES.get(variable.name) is variable:  # else it is of a scene of one's own
-            return _plausible(variable.name, value, text)
-        return _from_zero(variable.name, value, text)
+        own = VARIABLES.get(variable.name) is not variable  # of a scene of one's own
+        return (
+            from_zero(variable.name, value, text)
+            if own
+            else check_release(variable.name, value, text)
+        )
     except ValueError as error:
         raise ValueError(f"{variable.name}: {error}") from None
+
+
+def _of_release(variable: Variable) -> bool:
+    """Return whether a variable is one of a release at a hoop, and no component of a state."""
+    name = variable.name
+    return variable in (ARGUMENTS.get(name), ALTERNATIVE_VARIABLES.get(name))
 
 
 def _known(name: str, allowed: Variables) -> Variable:
@@ -214,6 +210,11 @@ def _deviation(text: str, allowed: Variables) -> tuple[str, float]:
         raise ValueError(
             f"{variable.name}: expected a standard deviation from 0, got {brief(value)}"
         )
+    if variable.kind == "angle" and _of_release(variable) and deviation >= MAX_DEVIATION:
+        raise ValueError(
+            f"{variable.name}: expected a standard deviation below "
+            f"{MAX_DEVIATION / DEGREE:.1f}deg, got {brief(value)}"
+        )
     return variable.name, deviation
 
 
@@ -238,7 +239,10 @@ def _bounds(text: str, among: Variables) -> tuple[str, tuple[float, float] | Non
     ends = values.split(":")
     if len(ends) != 2:
         raise ValueError(f"{variable.name}: {brief(values)} is not low:high")
-    return variable.name, (_read(ends[0], variable), _read(ends[1], variable))
+    low, high = (_read(end, variable) for end in ends)
+    if not low < high:
+        raise ValueError(f"{variable.name}: expected low:high, low below high; got {brief(values)}")
+    return variable.name, (low, high)
 
 
 def _correlation(text: str) -> tuple[tuple[str, str], float]:
@@ -325,6 +329,11 @@ AXIS = OfScene(_axis, "NAME=FROM:TO:COUNT")
 
 BOUNDS = OfScene(_bounds, "NAME=LOW:HIGH")
 """A variable and where to search, ``elevation=45deg:60deg``; or its name alone."""
+
+PARAMETER_BOUNDS = OfScene(
+    lambda text, among: _bounds(text, _parameters(among)), "NAME=LOW:HIGH", _parameters
+)
+"""A parameter of the scene and its bounds, ``ring_friction=0.1:1.0``; or its name alone."""
 
 CORRELATION = Parsed(_correlation, "NAME,NAME=VALUE")
 """Two variables and their correlation, ``speed,elevation=-0.3``."""

@@ -20,11 +20,12 @@ from .types import whole
 
 
 @command(
+    short_help="Show shots of a table in space, in motion.",
     epilog=examples(
         "hoopgen view releases.csv --out shots.html",
         "hoopgen view releases.csv --out shots.html --release height=7ft --label player",
         "hoopgen view results.parquet --out shots.html --sample 200 --seed 7",
-    )
+    ),
 )
 @click.option(
     "--out", type=PAGE, required=True, help="The page, .html: one file that needs no network."

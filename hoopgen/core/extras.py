@@ -100,6 +100,11 @@ def explain_import_error(error: ImportError, what: str = "this", extra: str = ""
     return MissingExtra(f"{what} needs {missing}: {command}", name=error.name)
 
 
+def command_for(module: str) -> str:
+    """Return the command that installs a missing module of `EXTRAS`, with all of its extra."""
+    return install_command(module, EXTRAS[module], checkout(), _installed())
+
+
 def install_command(
     missing: str, extra: str, root: Path | None, installed: Distribution | None
 ) -> str:

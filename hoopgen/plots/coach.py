@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from matplotlib.axes import Axes
 
 from hoopgen.core.argument_types import check_arguments
+from hoopgen.core.units import System
 from hoopgen.report.provenance import sentences
 from hoopgen.study.questions.coach_result import Advice, Coaching, say
 from hoopgen.text.escape import printable
@@ -50,13 +51,16 @@ def plot_coach(found: Coaching, *, title: str = "", ax: Drawn | None = None) -> 
     return draw_picture(ax, (PAGE, height), lambda axes: _draw(found, title, axes))
 
 
+def _ends(one: Advice, units: System) -> list[str]:
+    return [say(one.variable, value, units) for value in (one.before, one.after)]
+
+
 def _draw(found: Coaching, title: str, axes: Axes) -> None:
     rows: list[tuple[str, Advice, str]] = [
         (f"half the spread: {one.name}", one, COLOURS["ring"]) for one in found.spreads
     ]
     rows += [
-        (f"{one.name}: {say(one.variable, one.before)} to {say(one.variable, one.after)}", one, INK)
-        for one in found.habits
+        (f"{one.name}: {' to '.join(_ends(one, found.units))}", one, INK) for one in found.habits
     ]
     for at, (_, one, colour) in enumerate(rows):
         gain, low, high = (100.0 * value for value in (one.gain, one.low, one.high))

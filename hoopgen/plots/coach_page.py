@@ -6,7 +6,7 @@ import base64
 import html
 import io
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.files import check_output, write
-from hoopgen.core.units import INCH
+from hoopgen.core.units import DISPLAY_UNITS, INCH, System
 from hoopgen.report.provenance import sentences
 from hoopgen.simulation.simulate import simulate
 from hoopgen.study.measures.measures import measure
@@ -36,7 +36,9 @@ _DOTS = 400
 
 _MADE, _MISSED = "#1B6CA8", "#D05A2B"
 _SHORT = {"speed": "speed", "elevation": "arc", "azimuth": "left-right", "backspin": "spin"}
-_REACH = 17.0  # inches from the ring's centre
+_REACH = 17.0 * INCH  # m from the ring's centre
+_TICKS: Mapping[System, float] = {"us": 10.0, "si": 25.0}
+"""Distance of marks from the ring's centre, in short units: inches or centimetres."""
 _LEFT, _AROUND, _MAX_HEIGHT = 0.5, 0.75, 2.35  # inches: left of and around panels; of the picture
 
 
@@ -71,8 +73,9 @@ def plot_coach_shots(found: Coaching, *, title: str = "") -> Figure:
         axes.set_title(f"{label}\n{format_percent(made)} made", fontsize=7.5)
         axes.label_outer()
         axes.tick_params(labelsize=7.5)
-    panels[0].set_ylabel("past the centre (in)", fontsize=7.5)
-    figure.supxlabel("to the right (in); blue went in, orange did not", fontsize=7.5)
+    short = DISPLAY_UNITS[found.units]["short"]
+    panels[0].set_ylabel(f"past the centre ({short.symbol})", fontsize=7.5)
+    figure.supxlabel(f"to the right ({short.symbol}); blue went in, orange did not", fontsize=7.5)
     if title:
         figure.suptitle(title, x=0.01, ha="left", fontsize=9)
     return figure
@@ -82,22 +85,25 @@ def _draw(axes: Axes, player: Scatter, found: Coaching) -> None:
     depth, right, made = _shots(player, found)
     for which, colour in ((made, _MADE), (~made, _MISSED)):
         axes.scatter(right[which], depth[which], s=3.5, color=colour, alpha=0.6, lw=0, zorder=2)
-    ring = float(found.parameters["ring_radius"]) / INCH
+    size = DISPLAY_UNITS[found.units]["short"].size
+    ring, reach = float(found.parameters["ring_radius"]) / size, _REACH / size
     axes.add_patch(Circle((0.0, 0.0), ring, fill=False, ec=COLOURS["ring"], lw=2.2, zorder=3))
-    board = float(found.parameters["board_distance"]) / INCH
-    if board < _REACH:
-        axes.plot([-_REACH, _REACH], [board, board], color=INK, lw=1.4, zorder=1)
-    axes.set(xlim=(-_REACH, _REACH), ylim=(-_REACH, _REACH), aspect="equal")
-    axes.set_xticks([-10, 0, 10])
-    axes.set_yticks([-10, 0, 10])
+    board = float(found.parameters["board_distance"]) / size
+    if board < reach:
+        axes.plot([-reach, reach], [board, board], color=INK, lw=1.4, zorder=1)
+    axes.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal")
+    ticks = [way * _TICKS[found.units] for way in (-1, 0, 1)]
+    axes.set_xticks(ticks)
+    axes.set_yticks(ticks)
 
 
 def _shots(player: Scatter, found: Coaching) -> tuple[Any, Any, NDArray[np.bool_]]:
-    """Return depth and distance to the right at the ring, in, and which shots are made."""
+    """Return depth and distance to the right at the ring, in short units, and which are made."""
     drawn = player.draw(0, _DOTS, 0, found.parameters)
     shots = simulate(drawn.states, drawn.parameters, scene=found.scene)
     where = measure(drawn.states, shots, drawn.parameters, ["depth", "left_right"])
-    return where["depth"] / INCH, -where["left_right"] / INCH, np.asarray(shots.made)
+    size = DISPLAY_UNITS[found.units]["short"].size
+    return where["depth"] / size, -where["left_right"] / size, np.asarray(shots.made)
 
 
 @check_arguments
@@ -149,10 +155,10 @@ def _page(found: Coaching, read: str = "") -> str:
         "of your spread is gone.</p>",
         _image(plot_coach_shots(found), "where shots come down, before and after"),
         "<h2>Make one part steadier</h2>",
-        _table("half the spread of", found.spreads, level),
+        _table("half the spread of", found.spreads, level, found.units),
         "<h2>Or change a habit</h2>",
         "<p>The spread stays as it is; the speed goes with the arc and the aim.</p>",
-        _table("change", found.habits, level),
+        _table("change", found.habits, level, found.units),
         _image(plot_coach(found), "how many more of a hundred shots go in with each change"),
         "<h2>What this rests on</h2>",
         f"<p>{html.escape(found.provenance)} Each number is of simulated shots; the intervals "
@@ -167,7 +173,7 @@ def _page(found: Coaching, read: str = "") -> str:
     return _PAGE.format(title=html.escape(where), body="\n".join(body))
 
 
-def _table(head: str, rows: Sequence[Advice], level: str) -> str:
+def _table(head: str, rows: Sequence[Advice], level: str, units: System) -> str:
     cells = [
         "<tr>"
         + "".join(f"<th>{one}</th>" for one in (head, "from", "to", "made before", "made after"))
@@ -175,7 +181,7 @@ def _table(head: str, rows: Sequence[Advice], level: str) -> str:
     ]
     best = max((one.gain for one in rows), default=0.0)
     for one in rows:
-        ends = [say(one.variable, value) for value in (one.before, one.after)]
+        ends = [say(one.variable, value, units) for value in (one.before, one.after)]
         values = [one.name, *ends, format_percent(one.made - one.gain), format_percent(one.made)]
         values += [
             format_points(one.gain),

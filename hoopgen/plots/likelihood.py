@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from hoopgen.core.argument_types import check_arguments
+from hoopgen.report.quantities import quantity
 from hoopgen.text.escape import printable
 from hoopgen.text.numbers import format_percent
 
@@ -16,7 +17,7 @@ from .style import COLOURS, COLUMN, INK, NOTE_SIZE, PAGE, wrap
 
 if TYPE_CHECKING:
     from hoopgen.results.drawing import Drawn
-    from hoopgen.study.recovery.calibrated_scene import Calibrated, CalibratedScene
+from hoopgen.study.recovery.calibrated_scene import Calibrated, CalibratedScene
 
 _DEEPEST = 8.0
 """Log-likelihood below the maximum that is drawn."""
@@ -77,18 +78,21 @@ def _page(found: CalibratedScene, title: str) -> Figure:
 
 
 def _draw(name: str, one: Calibrated, found: CalibratedScene, axes: Axes) -> None:
-    axes.axvspan(one.low, one.high, color=COLOURS["ring"], alpha=0.15, lw=0)
-    axes.plot(one.grid, one.profile, color=INK, lw=1.1)
+    shown = quantity(name)
+    grid = shown.convert(one.grid)
+    value, low, high = (v / shown.size for v in (one.value, one.low, one.high))
+    axes.axvspan(low, high, color=COLOURS["ring"], alpha=0.15, lw=0)
+    axes.plot(grid, one.profile, color=INK, lw=1.1)
     if one.identified:
-        axes.plot([one.value], [0.0], "o", ms=4, color=COLOURS["ring"])
-        text = f"{one.value:.3g} ({one.low:.3g} to {one.high:.3g})"
+        axes.plot([value], [0.0], "o", ms=4, color=COLOURS["ring"])
+        text = f"{value:.3g} ({low:.3g} to {high:.3g})"
     else:
         text = "not identified"
     axes.annotate(
         text, (0.03, 0.04), xycoords="axes fraction", fontsize=7, ha="left", va="bottom", color=INK
     )
-    axes.set_xlim(float(one.grid[0]), float(one.grid[-1]))
+    axes.set_xlim(float(grid[0]), float(grid[-1]))
     axes.set_ylim(-_DEEPEST, 0.5)
-    axes.set_xlabel(name.replace("_", " "))
+    axes.set_xlabel(shown.label)
     level = format_percent(found.confidence, None)
     axes.set_ylabel(f"log-likelihood below the maximum\n(shaded: {level} interval)")

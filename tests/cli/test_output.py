@@ -311,6 +311,8 @@ def test_shot_draws_its_picture(tmp_path: Path, suffix: str) -> None:
         ([*SHOT, "--picture", "shot.bmp"], ".png, .svg, .pdf"),
         ([*SHOT, "--backend", "gpu"], "'gpu' is not one of"),
         (["check", "--root", "nowhere"], "'nowhere' does not exist"),
+        (["cache", "--show", "--clear"], "--show and --clear exclude each other; leave one out"),
+        (["compile", "hoop", "--zip", "hoop-c.tar"], "'hoop-c.tar' ends in none of .zip"),
     ],
 )
 def test_every_error_is_one_line(arguments: list[str], said: str) -> None:
@@ -350,7 +352,7 @@ def test_what_is_not_installed_is_named_with_its_extra(
         check=False,
     )
     assert done.returncode == 2, done.stderr
-    said = rf"hoopgen: error: \S+ needs {missing}: pip install (-e )?'.+\[{extra}\]'\n"
+    said = rf"hoopgen: error: (a picture|\S+) needs {missing}: pip install (-e )?'.+\[{extra}\]'\n"
     assert re.fullmatch(said, done.stderr), done.stderr
 
 
@@ -426,23 +428,39 @@ def test_ctrl_c_is_one_word(monkeypatch: pytest.MonkeyPatch) -> None:
 # generate, check, bench
 
 
-def test_generate_lists_what_it_wrote(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+@pytest.fixture
+def sources(tmp_path: Path) -> Path:
+    """Return a folder that looks like a source checkout."""
+    for name in ("derive", "templates"):
+        (tmp_path / name).mkdir()
+    return tmp_path
+
+
+def test_generate_lists_what_it_wrote(monkeypatch: pytest.MonkeyPatch, sources: Path) -> None:
     codegen = pytest.importorskip("hoopgen.codegen")
     monkeypatch.setattr(codegen, "generate", lambda root, _: [root / "generated" / "c" / "hoop.c"])
-    result = run("generate", "--root", str(tmp_path))
+    result = run("generate", "--root", str(sources))
     assert result.stdout == f"{Path('generated', 'c', 'hoop.c')}\n"
     monkeypatch.setattr(codegen, "generate", lambda root, _: [])
-    assert "up to date" in run("generate", "--root", str(tmp_path)).stdout
+    assert "up to date" in run("generate", "--root", str(sources)).stdout
 
 
-def test_check_fails_with_the_differences(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_check_fails_with_the_differences(monkeypatch: pytest.MonkeyPatch, sources: Path) -> None:
     codegen = pytest.importorskip("hoopgen.codegen")
     monkeypatch.setattr(codegen, "check", lambda root: ["generated/c/hoop.c is stale"])
-    result = run("check", "--root", str(tmp_path))
+    result = run("check", "--root", str(sources))
     assert result.exit_code == 1
     assert result.stdout == "generated/c/hoop.c is stale\n"
     monkeypatch.setattr(codegen, "check", lambda root: [])
-    assert run("check", "--root", str(tmp_path)).exit_code == 0
+    assert run("check", "--root", str(sources)).exit_code == 0
+
+
+@pytest.mark.parametrize("command", ["generate", "check"])
+def test_a_folder_without_sources_is_no_checkout(command: str, tmp_path: Path) -> None:
+    (tmp_path / "derive").mkdir()
+    said = failure(command, "--root", tmp_path)
+    assert f"'--root': {tmp_path} is no source checkout: it has no templates/" in said
+    assert [path.name for path in tmp_path.iterdir()] == ["derive"]
 
 
 def test_bench_hands_on_arguments_and_status(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -9,6 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from hoopgen.cli import _COMMANDS, main
+from tests.helpers.commands import output
+
 for _library in ("flint", "matplotlib", "pyarrow", "pydantic", "scipy", "sympy", "xarray"):
     pytest.importorskip(_library)
 
@@ -88,3 +91,14 @@ def test_no_command_fails_for_a_sign_that_the_terminal_has_not(
     )
     assert ran.returncode == 0, ran.stderr.decode("ascii", "replace")
     assert b"codec" not in ran.stderr
+
+
+def test_the_tour_shows_all_of_every_summary_in_eighty_columns(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    text = output("--help")
+    for name in _COMMANDS:
+        summary = main.commands[name].short_help or ""
+        assert 0 < len(summary) <= 60, name
+        assert any(line.split() == [name, *summary.split()] for line in text.splitlines()), name

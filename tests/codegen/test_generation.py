@@ -471,6 +471,8 @@ main(["generate", "--root", sys.argv[1]])
 @pytest.mark.slow
 def test_generation_needs_nothing_that_is_generated(tmp_path: Path) -> None:
     """Otherwise what generated/ lacks could not be generated."""
+    for name in ("derive", "templates"):
+        (tmp_path / name).mkdir()
     command = [sys.executable, "-c", _GENERATE_ANEW, str(tmp_path)]
     result = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
     assert result.stdout == "nothing to write: generated/ is up to date\n", result.stderr

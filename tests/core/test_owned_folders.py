@@ -143,6 +143,8 @@ def batch(folder: Path) -> Command:
 
 
 def generated(folder: Path) -> Command:
+    for name in ("derive", "templates"):
+        (folder / name).mkdir(parents=True)
     return ("generate", "--root", folder), folder / "generated"
 
 

@@ -105,6 +105,8 @@ def test_generate_asks_for_the_compiler_before_it_writes_c_sources(
 ) -> None:
     committed = pytest.importorskip("hoopgen.codegen.committed")
     shutil.copytree(FOLDER, tmp_path / "generated")
+    for name in ("derive", "templates"):  # which a source checkout has
+        (tmp_path / name).mkdir()
     files = {
         file.relative_to(FOLDER).as_posix(): file.read_text(encoding="utf-8")
         for file in FOLDER.rglob("*")

@@ -117,7 +117,7 @@ def test_commands_take_a_place_for_distance_and_angle() -> None:
 
 def test_commands_refuse_two_places_and_unknown_ones() -> None:
     words = ("shot", *PLAYER, "--place")
-    assert "--place says where; leave out angle" in failure(*words, "elbow", "--angle", "3deg")
+    assert "--place says where; leave out --angle" in failure(*words, "elbow", "--angle", "3deg")
     assert "is elbow meant" in failure(*words, "elbwo")
     assert "missing --distance (or --place" in failure("estimate", *PLAYER)
 

@@ -81,7 +81,7 @@ def check_workers(scheduler: str | None, threads: int | None) -> None:
 
 
 def _check_address(address: str) -> None:
-    require("distributed", "scheduler")
+    require("distributed", "scheduler: a Dask scheduler")
     from distributed.comm import addressing, registry
 
     try:

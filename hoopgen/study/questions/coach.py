@@ -7,8 +7,10 @@ thrown before and after. The speed that goes with an arc or an aim is that throu
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from math import hypot, isnan
 from typing import Any
 
@@ -21,6 +23,8 @@ from hoopgen.core.units import DEGREE, INCH, UNITS
 from hoopgen.hoop.aiming import flown_distance
 from hoopgen.hoop.court_places import find_place
 from hoopgen.scene.lookup import SceneLike, check_hoop
+from hoopgen.simulation.lookup import engine_of
+from hoopgen.study.jobs.chunks import Progress
 from hoopgen.study.jobs.monte_carlo import ResolvedSetting, setting_of
 from hoopgen.study.models.fitted_scatter import FittedScatter
 from hoopgen.study.models.scatter import Scatter
@@ -53,6 +57,7 @@ def coach(
     seed: int = 0,
     confidence: float = 0.95,
     threads: int | None = None,
+    progress: Progress | None = None,
 ) -> Coaching:
     """Say which part of a player's release is worth practising most.
 
@@ -72,6 +77,9 @@ def coach(
         Number of shots before and after each change.
     seed, confidence, threads
         As for `hoopgen.estimate`.
+    progress
+        Called with what is done and its total: first, where a player is scaled to `makes`, with a
+        total of None; then from 0 for the changes.
 
     Returns
     -------
@@ -89,8 +97,8 @@ def coach(
         raise ValueError("place: it is of the default player; measured releases have their own")
     if isinstance(player, FittedScatter) and makes is not None:
         raise ValueError("makes: it is of a player who was not measured; leave one out")
+    check_hoop("scene", engine_of(scene))
     setting = setting_of(Scatter({}), parameters, scene)
-    check_hoop("scene", setting.scene)
     where, provenance = None, "The player is as measured."
     fitted = player if isinstance(player, FittedScatter) else None
     given = player.model if isinstance(player, FittedScatter) else player
@@ -104,23 +112,28 @@ def coach(
     options: dict[str, Any] = {"seed": seed, "confidence": level, "threads": threads}
     if makes is not None:
         share = check_share("makes", makes)
-        scaled = solve(about, share, setting.parameters, scene=scene, shots=shots, **options).model
+        scaled = solve(
+            about, share, setting.parameters, scene=scene, shots=shots, progress=progress, **options
+        ).model
         assert isinstance(scaled, Scatter)
         about = scaled
     options |= {"scene": scene, "shots": shots}
     changes = {**_spreads(about), **_habits(about)}
     models = [] if fitted is None else fitted.models(_MODELS, seed)
     drawn = [_aimed(one, setting.parameters) for one in models]
-    base = _shares(drawn, setting, seed, threads) if drawn else np.zeros(0)
+    counted = _Parts(progress, len(changes) + (len(changes) + 1) * -(-len(drawn) // _TOGETHER))
+    shares = partial(_shares, setting=setting, seed=seed, threads=threads, counted=counted)
+    base = shares(drawn) if drawn else np.zeros(0)
     found: dict[str, Advice] = {}
     first: Any = None
     for name, (variable, change) in changes.items():
         after = change(about)
-        result = compare((about, setting.parameters), (after, setting.parameters), **options)
+        with counted.part() as options["progress"]:
+            result = compare((about, setting.parameters), (after, setting.parameters), **options)
         first = result.first
         low, high = result.low, result.high
         if drawn:
-            off = _shares([change(one) for one in drawn], setting, seed, threads) - base
+            off = shares([change(one) for one in drawn]) - base
             low, high = _widened(result, off - np.median(off), level)
         found[name] = Advice(
             name=PARTS.get(name, name),
@@ -222,16 +235,43 @@ def _aimed(player: Scatter, parameters: Mapping[str, Any]) -> Scatter:
     return replace(player, release={**release, "aim": reach - float(release["distance"])})
 
 
+class _Parts:
+    """The progress of work in equal parts."""
+
+    def __init__(self, progress: Progress | None, count: int) -> None:
+        self.progress, self.count, self.done = progress, count, 0
+
+    @contextmanager
+    def part(self) -> Iterator[Progress]:
+        """Give the function of progress of the next part, which is done in the end."""
+
+        def show(done: int, total: int | None) -> None:
+            if self.progress is not None:
+                within = _STEPS * done // total if total else 0
+                self.progress(_STEPS * self.done + within, _STEPS * self.count)
+
+        yield show
+        self.done += 1
+        show(0, None)
+
+
+_STEPS = 100
+"""Steps of progress in a part."""
+
+
 def _shares(
-    models: list[Scatter], setting: ResolvedSetting, seed: int, threads: int | None
+    models: list[Scatter],
+    setting: ResolvedSetting,
+    seed: int,
+    threads: int | None,
+    counted: _Parts,
 ) -> Floats:
-    contacts = contacts_of(None, setting.scene)
-    return np.concatenate(
-        [
-            made_shares(models[k : k + _TOGETHER], setting, seed, contacts, "auto", threads)
-            for k in range(0, len(models), _TOGETHER)
-        ]
-    )
+    contacts, found = contacts_of(None, setting.scene), []
+    for k in range(0, len(models), _TOGETHER):
+        with counted.part():
+            some = models[k : k + _TOGETHER]
+            found.append(made_shares(some, setting, seed, contacts, "auto", threads))
+    return np.concatenate(found)
 
 
 def _widened(found: Comparison, off: Floats, level: float) -> tuple[float, float]:

@@ -9,10 +9,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hoopgen.core.plotting import plotting_module
-from hoopgen.core.units import DEGREE, FOOT, INCH, UNITS
+from hoopgen.core.units import DEGREE, FOOT, INCH, UNITS, System, use_units
 from hoopgen.hoop.court_places import Place
 from hoopgen.hoop.variables import VARIABLES
 from hoopgen.report.provenance import describe_scene, footer
+from hoopgen.report.quantities import format_variable
 from hoopgen.scene.lookup import SceneLike
 from hoopgen.simulation.lookup import engine_of
 from hoopgen.study.models.scatter import Scatter
@@ -93,6 +94,8 @@ class Coaching(Result):
         Number of shots before and after each change.
     seed
         Of the random numbers.
+    units
+        Of text, pictures and pages: "us", those of players, or "si"; numbers are SI.
     """
 
     made: float
@@ -108,6 +111,7 @@ class Coaching(Result):
     scene: SceneLike
     shots: int
     seed: int
+    units: System = "us"
 
     @property
     def origin(self) -> dict[str, str]:
@@ -192,13 +196,13 @@ class Coaching(Result):
             "",
             table(
                 ["half the spread of", "from", "to", "you would make", "gain", f"{level} interval"],
-                [_row(one) for one in self.spreads],
+                [_row(one, self.units) for one in self.spreads],
                 right=range(1, 6),
             ),
             "",
             table(
                 ["or change", "from", "to", "you would make", "gain", f"{level} interval"],
-                [_row(one) for one in self.habits],
+                [_row(one, self.units) for one in self.habits],
                 right=range(1, 6),
             ),
             "",
@@ -217,13 +221,13 @@ def _points(one: Advice) -> str:
     return f"{format_points(one.low)} to {format_points(one.high)}"
 
 
-def _row(one: Advice) -> list[str]:
-    ends = [say(one.variable, value) for value in (one.before, one.after)]
+def _row(one: Advice, units: System) -> list[str]:
+    ends = [say(one.variable, value, units) for value in (one.before, one.after)]
     return [one.name, *ends, format_percent(one.made), format_points(one.gain), _points(one)]
 
 
-def say(variable: str, value: float) -> str:
-    """Return a value in the units of players: feet, inches, mph, degrees and rpm.
+def say(variable: str, value: float, units: System = "us") -> str:
+    """Return a value in the units of players: feet, inches, mph, degrees and rpm; or of SI.
 
     Parameters
     ----------
@@ -231,7 +235,12 @@ def say(variable: str, value: float) -> str:
         The name of the variable, which tells its unit.
     value
         The value, SI and rad.
+    units
+        "us" for the units of players, "si" for metres, m/s, degrees and Hz.
     """
+    if units == "si" and VARIABLES[variable].kind != "angle":
+        with use_units("si"):
+            return format_variable(variable, value).replace("-", MINUS)
     if variable == "speed":
         text = f"{value / _MPH:.2f} mph"
     elif variable in ("backspin", "sidespin"):

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.core.argument_types import check_arguments
+from hoopgen.core.extras import MissingExtra, command_for
 from hoopgen.core.validation import as_number, check_index
 from hoopgen.results.shots import Shots
 from hoopgen.simulation.engine import Engine
@@ -101,6 +102,8 @@ def counterfactual(
     if outcome == scene.outcomes["INVALID"]:
         (why,) = why_invalid(one.state, one.parameters, scene=scene)
         raise ValueError(f"shots: shot {i} is invalid: {why}")
+    if prove:
+        _require_judge()
     if int(np.asarray(shots.outcome)[index]) != outcome:
         raise ValueError(
             f"max_contacts: with {max_contacts}, and the time limit of the scene, shot {i} ends as "
@@ -179,6 +182,18 @@ def _nearest(one: OneShot, name: str, succeeds: bool, steady: float) -> tuple[fl
     gaps = [one.nearest_change(name, succeeds, side, steady) for side in (1, -1)]
     found = [gap for gap in gaps if gap is not None]
     return min(found, key=lambda gap: abs(gap[1] - value), default=None)
+
+
+def _require_judge() -> None:
+    """Raise an error before any work if what the judge needs is missing."""
+    try:
+        import hoopgen.judge  # noqa: F401
+    except ImportError as error:
+        raise MissingExtra(
+            "counterfactual proves its answers, which needs the extra certify: "
+            f"{command_for('flint')}; or leave the proof out (prove=False, --no-prove)",
+            name=error.name,
+        ) from None
 
 
 def _proved(

@@ -89,7 +89,7 @@ def slope_lines(
         rows.append([name, values[0], f"per {per}", ends, f"{slope.method}{bias}"])
     alone = " of the simulation alone" if sampled else ""
     interval = f"{format_percent(level, None)} interval{alone}"
-    head = ["gradient", "of made", "", interval, "method"]
+    head = ["gradient by", "share made", "", interval, "method"]
     return ["", *table(head, rows, right=[1]).splitlines()]
 
 

@@ -223,9 +223,7 @@ def scattering(
         by = engine.kernels.ENDS[outcome_by(engine, None)]
     player = Player(model.apart()[1], check_scene(parameters, engine), by, scene=engine)
     if model.still:
-        raise ValueError(
-            "sd, --scatter: expected a deviation above 0; without scatter a shot succeeds or not"
-        )
+        raise ValueError("sd: expected a deviation above 0; without scatter a shot succeeds or not")
     return player
 
 

@@ -8,7 +8,6 @@ from dataclasses import asdict, dataclass, field
 from typing import TYPE_CHECKING, Any, Unpack
 from warnings import warn
 
-from hoopgen.core.units import INCH
 from hoopgen.hoop.variables import VARIABLES
 from hoopgen.report.provenance import describe_release, describe_setting, footer, sentences
 from hoopgen.report.quantities import for_json, format_bounds, format_launch, format_variable
@@ -333,7 +332,7 @@ def _where(best: Optimum) -> str:
     return (
         f"flight   comes down at {format_variable('entry', best.entry_angle)}, "
         f"{format_variable('aim', abs(best.depth))} {'past' if best.depth >= 0 else 'short of'} "
-        f"the centre: {(inside + best.depth) / INCH:.1f} in from the front of the ring"
+        f"the centre: {format_variable('aim', inside + best.depth)} from the front of the ring"
     )
 
 

@@ -234,7 +234,7 @@ class Seeded:
 class Sampling(Seeded):
     """The settings that all questions of a study file share."""
 
-    confidence: float = setting("Confidence of the intervals.", Share(), 0.95)
+    confidence: float = setting("Confidence of the intervals.", Share(percent=True), 0.95)
 
 
 @dataclass(frozen=True, kw_only=True)

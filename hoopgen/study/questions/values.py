@@ -114,14 +114,30 @@ class Quantity(Value):
         return f"{text}, not below {self.low:g}" if self.low > -math.inf else text
 
     @property
+    def unit(self) -> str:
+        """The SI unit; empty for a plain number."""
+        return next(iter(UNITS[self.kind]))
+
+    @property
+    def limits(self) -> str:
+        """The range that is allowed, in SI units."""
+        low, high = (f"{end:g} {self.unit}".rstrip() for end in (self.low, self.high))
+        if self.high < math.inf:
+            return f"of at most {high}" if self.low == -math.inf else f"from {low} to {high}"
+        return f"of at least {low}" if self.low > -math.inf else ""
+
+    @property
     def metavar(self) -> str:
         """The text in the help of a command."""
         units = "|".join(UNIT_REQUIRED.get(self.kind, tuple(UNITS[self.kind])[:1])[:2])
-        return f"{self.kind.upper()} [{units}]"
+        return f"{self.kind.upper()} [{units}]" if units else self.kind.upper()
 
     def parse(self, text: str) -> float:
-        """Return the value in SI; its limits are the library's."""
-        return parse_quantity(text, self.kind)
+        """Return the value in SI."""
+        value = parse_quantity(text, self.kind)
+        if not self.low <= value <= self.high:
+            raise ValueError(f"expected a {self.kind} {self.limits}; got {brief(text)}")
+        return value
 
     def read(self, given: Any) -> float:
         """Return the value in SI."""

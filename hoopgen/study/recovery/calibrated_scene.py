@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from hoopgen.core.plotting import plotting_module
 from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.report.provenance import describe_scene
+from hoopgen.report.quantities import quantity
 from hoopgen.simulation.hoop import HOOP
 from hoopgen.study.result import Result
 from hoopgen.text.numbers import format_count, format_percent
@@ -144,14 +145,17 @@ class CalibratedScene(Result):
         level = format_percent(self.confidence, None)
         rows = []
         for name, one in self.values.items():
+            shown = quantity(name)
+            value, low, high = (f"{v / shown.size:.3g}" for v in (one.value, one.low, one.high))
             ends = "".join(
                 [
                     "" if one.bounded[0] else "below ",
-                    f"{one.low:.3g} to {one.high:.3g}",
+                    f"{low} to {high}",
                     "" if one.bounded[1] else " and above",
                 ]
             )
-            rows.append([name, f"{one.value:.3g}" if one.identified else "not identified", ends])
+            unit = f" ({shown.unit})" if shown.unit else ""
+            rows.append([f"{name}{unit}", value if one.identified else "not identified", ends])
         what = join_names([_USED[name] for name in self.used])
         lines = [
             text_table(["parameter", "likeliest", f"{level} interval"], rows, right=[1]),

@@ -444,7 +444,7 @@ def test_the_command_aims_at_any_point_from_a_place_that_moves() -> None:
         (["--target", "0,1"], "'0,1' is not X,Y,Z"),
         (["--moving", "1,2,3"], "'1,2,3' is not VX,VY"),
         (["--moving", "1m,2"], "'m' is not a unit of speed"),
-        (["--target", "0,0,0", "--depth", "3cm"], "expected depth or target; got both"),
+        (["--target", "0,0,0", "--depth", "3cm"], "expected --depth or --target; got both"),
         (["--moving", "1,2", "--csv", "aim.csv"], "leave --moving or --csv"),
     ],
 )
@@ -599,7 +599,7 @@ def test_an_aim_is_flown_in_the_scene_that_it_is_aimed_in() -> None:
             ["--distance", "4m", "--speed", "3"],
             "speed: the point of the ring's plane needs at least",
         ),
-        (["--distance", "4m", "--speed", "9", "--entry", "45deg"], "got entry and speed"),
+        (["--distance", "4m", "--speed", "9", "--entry", "45deg"], "got --entry and --speed"),
         (["--distance", "4m:3m:0.1m"], "FROM below TO; it is 4 m to 3 m in steps of 0.1 m"),
         (["--distance", "3m:4m:0"], "expected FROM:TO:STEP of 2 to 10,000 distances"),
         (["--distance", "3m:4m:5"], "it is 3 m to 4 m in steps of 5 m"),

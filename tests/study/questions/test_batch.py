@@ -678,7 +678,7 @@ def test_a_table_of_aims_is_one_of_releases(tmp_path: Path) -> None:
 def test_the_command_fails_in_one_line(source: Path, tmp_path: Path) -> None:
     for arguments, said in [
         ([*HERE, "--measure", "deep"], "--measure: unknown deep"),
-        ([], "throws.parquet: variables: missing height, distance"),
+        ([], "throws.parquet: missing height, distance; give --release height=... and "),
         ([*HERE, "--threads", 2, "--scheduler", "tcp://127.0.0.1:1"], "threads: with a scheduler"),
     ]:
         result = run("batch", source, "--out", tmp_path / "out.parquet", *arguments)
@@ -726,7 +726,7 @@ def test_an_interrupted_command_says_how_to_go_on(
     monkeypatch.setattr(study_batch, "run", interrupted)
     result = run("batch", source, "--out", tmp_path / "out.parquet", *HERE)
     assert result.exit_code == 130
-    assert f"{tmp_path / 'out.parquet'}.parts: the same call goes on" in result.stderr
+    assert f"{tmp_path / 'out.parquet'}.parts: the same command goes on" in result.stderr
     assert result.stderr.endswith("hoopgen: error: interrupted\n")
 
 

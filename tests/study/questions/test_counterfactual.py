@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 import math
+import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from tests.helpers.commands import failure, succeed
+from tests.helpers.commands import RELEASE, failure, output, succeed
 
 pytest.importorskip("scipy")
 pytest.importorskip("pyarrow")
@@ -250,3 +251,16 @@ def test_the_command(tmp_path: Path) -> None:
     told = json.loads(succeed("counterfactual", *shot, "--no-prove", "--json").stdout)
     assert [one["name"] for one in told["changes"]] == ["speed", "elevation", "azimuth"]
     assert "unknown loft" in failure("counterfactual", *shot, "--vary", "loft")
+
+
+@pytest.mark.parametrize("missing", ["flint", "sympy"])
+def test_without_the_judge_the_error_names_the_extra_and_the_option(
+    monkeypatch: pytest.MonkeyPatch, missing: str
+) -> None:
+    for name in [one for one in sys.modules if one.startswith("hoopgen.judge")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, missing, None)
+    said = failure("counterfactual", *RELEASE)
+    assert "counterfactual proves its answers, which needs the extra certify: pip install " in said
+    assert said.endswith("; or leave the proof out (--no-prove)\n")
+    assert "missed" in output("counterfactual", *RELEASE, "--no-prove")

@@ -685,7 +685,9 @@ def test_from_draws_measured_releases_and_options_fill_in(tmp_path: Path) -> Non
     found = json.loads(output(*arguments, "--shots", "900", "--json"))
     wanted = estimate(model, shots=900).as_dict()
     assert {**found, "setting": None} == {**wanted, "setting": None}
-    assert "missing distance. The columns are player" in failure(*arguments[:-2])
+    assert "missing distance; give --distance (or --place). The columns are player" in failure(
+        *arguments[:-2]
+    )
     assert "--scatter is about a release" in failure(*arguments, "--scatter", "speed=1")
 
 
@@ -724,7 +726,7 @@ def test_the_folder_is_passed_on(tmp_path: Path) -> None:
         (["--shots", "many"], "'many' is not a whole number from 1"),
         (["--shots", "inf"], "'inf' is not a whole number from 1"),
         (["--precision", "1"], "'1' is no share above 0% and below 100%"),
-        ([*OPTIONS[1:], "--aim", "5cm"], "aim takes the place of speed; got both"),
+        ([*OPTIONS[1:], "--aim", "5cm"], "--aim takes the place of --speed; got both"),
     ],
 )
 def test_what_is_wrong_on_the_command_line_is_said(arguments: list[str], message: str) -> None:

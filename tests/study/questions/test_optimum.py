@@ -288,7 +288,7 @@ def test_what_is_not_a_number_is_none_in_json(best: Optimum) -> None:
         ({"over": {"elevation": None, "aim": (30.0, 31.0)}}, "over: no release tried succeeds"),
         ({"release": PLACE | {"hight": 2.0}}, "release: unknown hight"),
         ({"release": PLACE | {"backspin": [1.0, 2.0]}}, r"release\['backspin'\]: expected one"),
-        ({"sd": {}}, "sd, --scatter: expected a deviation above 0"),
+        ({"sd": {}}, "sd: expected a deviation above 0"),
         ({"sd": {"speed": -0.1}}, r"sd\['speed'\]: expected"),
         ({"by": "bounce"}, "by: expected any, direct, bank, got 'bounce'"),
         ({"shots": 0}, "shots: expected a whole number from 1"),
