@@ -168,12 +168,8 @@ class OfScene(Parsed[Value]):
 def _read(text: str, variable: Variable) -> float:
     try:
         value = parse_quantity(text, variable.kind, infinite=variable.infinite)
-        own = VARIABLES.get(variable.name) is not variable  # of a scene of one's own
-        return (
-            from_zero(variable.name, value, text)
-            if own
-            else check_release(variable.name, value, text)
-        )
+        at_a_hoop = VARIABLES.get(variable.name) is variable
+        return (check_release if at_a_hoop else from_zero)(variable.name, value, text)
     except ValueError as error:
         raise ValueError(f"{variable.name}: {error}") from None
 

@@ -306,7 +306,7 @@ def test_a_cell_that_is_no_number_is_that_cell_alone(unit: float) -> None:
     ],
 )
 def test_numbers_of_every_type(cells: Any, numbers: list[float]) -> None:
-    np.testing.assert_array_equal(column(cells), numbers)
+    np.testing.assert_array_equal(column(cells, "vx"), numbers)
 
 
 @pytest.mark.parametrize("cells", [[True], [[1.0]], [{"a": 1.0}]])
