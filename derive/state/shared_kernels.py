@@ -243,6 +243,9 @@ def for_each(
         Inputs of the group test, if the nodes do not affect a shot that is far from the surface and
         the surfaces have kernels for that test.
     """
+    if len(alike) == 1 and not (alike[0].sizes or alike[0].law_sizes):
+        yield from body(alike[0], alike[0].index)
+        return
     first = replace(alike[0], sizes={}, law_sizes={})
     if len(alike) == 1:
         names = {kernel.name: alike[0].sizes for kernel in first.parts.values()}
