@@ -11,6 +11,7 @@ from matplotlib.collections import PathCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
+from numpy.typing import NDArray
 
 from hoopgen.core.argument_types import check_arguments
 from hoopgen.core.parameters import ParameterValues
@@ -74,7 +75,7 @@ def plot_fan(
         Of the scene; of those that differ from shot to shot the hoop shows the mean.
     paths
         How many are drawn: of the first ones, those that have a path. The key gives the shares of
-        all.
+        all that are valid.
     by
         What has a panel of its own: ``"kind"`` of shot (made or missed, and what was touched),
         ``"outcome"``, or the release ``"elevation"``, at round angles; ``"all"`` for one panel.
@@ -111,13 +112,17 @@ def plot_fan(
         by = _check_single_panel(by)
     fan = gather_fan(shots, parameters, range(min(paths, len(shots))))
     allowed: Sequence[str] = ("all", "outcome")
-    usual, made = "outcome", ""
+    usual, made, valid = "outcome", "", _valid(shots)
     if fan.hoop:
         allowed, usual = ("all", "kind", "outcome", "elevation"), "kind"
-        made = f", {format_percent(float(np.mean(shots.outcome == Outcome.MADE)))} made"
+        made = f", {format_percent(float(np.mean(shots.outcome[valid] == Outcome.MADE)))} made"
     by = check_grouping(by, allowed, len(fan.curves), len(set(fan.classes)), usual)
     drawn = f"{len(fan.curves)} {'is' if len(fan.curves) == 1 else 'are'}"
-    said = f"{format_count(len(shots), 'shot')}{made}; {drawn} drawn{describe_grouping(by)}."
+    simulated = f"{format_count(len(shots), 'shot')}{made}"
+    if not valid.all():
+        counted = format_count(int(valid.sum()), "valid shot")
+        simulated = f"{counted}{made}, and {len(shots) - int(valid.sum()):,} invalid"
+    said = f"{simulated}; {drawn} drawn{describe_grouping(by)}."
     description = f"{said} Scene: {describe_scene(shots.scene, parameters)}. {note}"
     key = _key(shots, fan.ends)
     groups = _group_paths(fan, by)
@@ -138,12 +143,18 @@ def _check_single_panel(by: str) -> str:
 def _key(shots: Shots, ends: str) -> list[Line2D]:
     """Return the entries of the legend: the classes with their shares, and the line of the ends."""
     classes, codes = classes_of(shots)
+    codes = codes[_valid(shots)]
     shares = {classes[code]: float(np.mean(codes == code)) for code in np.unique(codes).tolist()}
     key = [
         Line2D([], [], color=one.line, label=f"{one.words} {format_percent(share)}")
         for one, share in shares.items()
     ]
     return [*key, *key_of_ends(ends)]
+
+
+def _valid(shots: Shots) -> NDArray[np.bool_]:
+    found: NDArray[np.bool_] = shots.outcome != shots.scene.outcomes["INVALID"]
+    return found
 
 
 def key_of_ends(ends: str) -> list[Line2D]:

@@ -546,6 +546,22 @@ def test_the_key_of_a_fan_has_the_shares_of_all_shots() -> None:
     assert note in [text.get_text() for text in figure.texts]
 
 
+def test_shares_of_a_fan_are_of_the_valid_shots() -> None:
+    """Those that cannot be simulated, here from inside the ring's wire, have no path either."""
+    states = np.array([shots_of(8).trajectory(shot).release for shot in range(8)])
+    inside = np.zeros((2, 9))
+    inside[:, 0] = hoopgen.NBA["ring_radius"]
+    shots = hoopgen.simulate(np.vstack([inside, states]), SCENE, record=True)
+    figure = plot_fan(shots, SCENE)
+    made = np.mean(shots.outcome[2:] == Outcome.MADE)
+    note = f"8 valid shots, {100 * made:.1f}% made, and 2 invalid; 8 are drawn."
+    assert any(text.get_text().startswith(note) for text in figure.texts)
+    said = key_of(figure)
+    assert not any("invalid" in words for words in said)
+    shares = [float(words.rpartition(" ")[2].rstrip("%")) for words in said if "%" in words]
+    assert sum(shares) == pytest.approx(100, abs=0.3)
+
+
 def test_a_fan_from_the_side_of_the_court_is_seen_across_its_line() -> None:
     shots = shots_of(20, {"angle": np.radians(60.0), "distance": 5.0})
     for axes in plot_fan(shots, SCENE).axes[:1]:
@@ -554,13 +570,14 @@ def test_a_fan_from_the_side_of_the_court_is_seen_across_its_line() -> None:
         np.testing.assert_allclose(starts, [[5.0, 2.1336 - 3.048]] * 20, rtol=0, atol=64 * EPS)
 
 
-def test_shots_without_a_path_are_counted_and_not_drawn() -> None:
+def test_valid_shots_without_a_path_are_counted_and_not_drawn() -> None:
     states = hoopgen.release(
         [7.17, 3.0, np.nan, 7.2], np.radians(52.0), height=2.1336, distance=4.191
     )
     figure = plot_fan(hoopgen.simulate(states, SCENE, record=True), SCENE)
     assert len(one(figure.axes[0], PathCollection).get_paths()) == 2
-    assert {"short 25.0%", "invalid 25.0%"} <= set(key_of(figure))
+    assert "short 33.3%" in key_of(figure)
+    assert any("3 valid shots" in text.get_text() for text in figure.texts)
 
 
 def test_parameters_may_differ_from_shot_to_shot() -> None:
