@@ -547,7 +547,7 @@ def test_the_key_of_a_fan_has_the_shares_of_all_shots() -> None:
 
 
 def test_shares_of_a_fan_are_of_the_valid_shots() -> None:
-    """Those that cannot be simulated, here from inside the ring's wire, have no path either."""
+    """Invalid shots, here from inside the ring's wire, have no path either."""
     states = np.array([shots_of(8).trajectory(shot).release for shot in range(8)])
     inside = np.zeros((2, 9))
     inside[:, 0] = hoopgen.NBA["ring_radius"]
