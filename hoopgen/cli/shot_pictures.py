@@ -126,7 +126,7 @@ def landings(
     if height is None:
         distances = _distances(there, sample)
         text, record = distances.text, {"landings": distances.as_dict()}
-        note = " ".join(filter(None, [distances.note, note]))
+        note = ". ".join(filter(None, [distances.note, note]))
     else:
         measured = _caught(sample, height)
         text = "\n".join(spread_lines(measured))

@@ -489,7 +489,7 @@ def test_a_fan_of_a_fitted_player_says_the_interval_of_the_sample(measured: Path
     assert found == {"made": json.loads(run("estimate", *asked).stdout)["sample"]}
 
 
-def test_distances_of_landings_have_intervals(measured: Path) -> None:
+def test_distances_of_landings_have_intervals(measured: Path, tmp_path: Path) -> None:
     """Intervals of the shots are by their ranks, those of the sample by the ranks of its misses."""
     asked = ["landings", *SHOTS, "--shots", "2000"]
     found = json.loads(run(*asked, "--json").stdout)["landings"]
@@ -517,6 +517,8 @@ def test_distances_of_landings_have_intervals(measured: Path) -> None:
     ends = found["sample"]["0.5"].values()
     assert all(end in ("inf", "-inf") or np.abs(away - end).min() < 1e-12 for end in ends)
     assert "of the sample: 50% within" in run(*asked).stdout
+    note = note_of(*asked, "--picture", str(tmp_path / "picture.svg"))
+    assert re.search(r"(\d m|or more)\. 95% intervals of the simulation alone: made", note)
 
 
 def test_without_a_valid_shot_there_is_no_interval(tmp_path: Path) -> None:
