@@ -49,7 +49,7 @@ Only made or outcome is needed; an empty cell is not known.
         "    --instrument speed=3cm/s --instrument elevation=0.5deg",
     ),
 )
-@click.argument("file", type=FILE, callback=with_its_scene)
+@click.argument("file", type=FILE, is_eager=True, callback=with_its_scene)
 @scene_option
 @preset_options
 @override_option

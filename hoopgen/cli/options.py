@@ -120,7 +120,7 @@ release_option = click.option(
 """``--release`` of a command that reads a table."""
 
 _TABLE = together(
-    click.argument("file", type=FILE, callback=with_its_scene),
+    click.argument("file", type=FILE, is_eager=True, callback=with_its_scene),
     scene_option,
     release_option,
     place_option,

@@ -39,6 +39,7 @@ _FROM = together(
         "--from",
         "file",
         type=FILE,
+        is_eager=True,
         callback=with_its_scene,
         help="Measured releases, .csv, .parquet, .arrow or .xlsx, to which the player is fitted, "
         "in place of the default player; a file of results says the scene, too.",

@@ -237,6 +237,7 @@ _FROM = together(
         "--from",
         "file",
         type=FILE,
+        is_eager=True,
         callback=with_its_scene,
         help="Draw from measured releases, .csv, .parquet, .arrow or .xlsx; the options above fill "
         "in.",

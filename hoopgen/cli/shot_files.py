@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +13,7 @@ from hoopgen.engine.compiled_scene import CompiledScene
 from hoopgen.study.questions.settings import Parsing, TableSettings, settings
 from hoopgen.text.escape import printable
 
-from .command import defer
+from .command import ARGUMENTS, defer
 from .scene_option import given, parameters_of
 from .types import SCENE
 
@@ -28,6 +28,9 @@ READING = tuple(name for one in (TableSettings, Parsing) for name, *_ in setting
 def with_its_scene(ctx: click.Context, _: click.Parameter, file: Path | None) -> Path | None:
     """Let the command simulate in the scene that a file of results says, unless one is named.
 
+    The option or argument is eager: the scene is known before others are read, which name its
+    parameters. What is wrong with the file is said when all are read.
+
     Parameters
     ----------
     ctx
@@ -36,22 +39,40 @@ def with_its_scene(ctx: click.Context, _: click.Parameter, file: Path | None) ->
         The table of shots; None where the command has none.
     """
     if file is not None:
-        defer(ctx, _use_its_scene, first=True)  # places are those of a scene
+        typed = ctx.command.make_parser(ctx).parse_args(list(ctx.meta[ARGUMENTS]))[0]
+        if "scene_name" not in typed:
+            reading = {
+                str(option.name): option.type_cast_value(ctx, typed[option.name])
+                for option in ctx.command.params
+                if option.name in _HOW_SCHEMA_IS_READ and option.name in typed
+            }
+            with suppress(OSError, ValueError, click.UsageError):
+                _use_scene_of(ctx, file, reading)
+        defer(ctx, _use_its_scene, first=True)
     return file
+
+
+_HOW_SCHEMA_IS_READ = ("format", "delimiter")
+"""Options without which the columns and the scene of some tables cannot be read."""
 
 
 def _use_its_scene(ctx: click.Context) -> None:
     from hoopgen.scene.errors import SceneError
-    from hoopgen.study.tables.provenance import scene_in
 
     if given("scene_name"):
         return
     try:
-        ctx.meta[SCENE] = scene_in(reading_of(dict(ctx.params)).source(ctx.params["file"]))
+        _use_scene_of(ctx, ctx.params["file"], dict(ctx.params))
     except SceneError:
         raise
     except (OSError, ValueError):
         pass  # the command reads the file, and says what is wrong
+
+
+def _use_scene_of(ctx: click.Context, file: Path, options: dict[str, Any]) -> None:
+    from hoopgen.study.tables.provenance import scene_in
+
+    ctx.meta[SCENE] = scene_in(reading_of(options).source(file))
 
 
 def simulation_options(

@@ -114,13 +114,13 @@ def check_gradient(names: Sequence[str], setting: ResolvedSetting) -> tuple[str,
     found = tuple(names)
     if len(set(found)) < len(found):
         raise ValueError(f"gradient: expected each name once, got {', '.join(found)}")
-    check_scored(setting.model, [name for name in found if name not in setting.parameters])
     if found and isinstance(setting.model, Resample):
         raise ValueError(
             f"gradient: the share made of measured releases changes in jumps with {found[0]}, so "
             "its derivative is none of the player's: fit a scatter to them (Scatter.fit, "
             "--fitted), or compare two values (hoopgen.compare, --versus)"
         )
+    check_scored(setting.model, [name for name in found if name not in setting.parameters])
     for name in found:
         if name not in setting.parameters:
             continue

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from scipy.special import chdtrc, fdtrc
+from scipy.special import chdtrc, chdtri, fdtrc
 
 from .estimator import Flags, Floats
 from .fitted_releases import FittedReleases
@@ -17,6 +17,7 @@ from .tracks import Tracks
 
 AFTER_CONTACT = "frames after the first contact do not fit it"
 NO_BACKSPIN = "nothing shows the backspin"
+FAR_BACKSPIN = "the fitted backspin is too far from what was known of it"
 UNSETTLED_PATH = "the fit of the flight after the contact does not settle"
 
 LEVEL = 0.001
@@ -62,7 +63,7 @@ def with_backspin(
         found.scene, found.parameters, times, tracks.positions, found.noise, backspin, precision
     )
     path = problem.fit(start, found.covariance, there, flight, fall)
-    reasons = _reasons(found, path, flight, precision, undecided)
+    reasons = _reasons(found, path, flight, (backspin, precision), undecided)
     good = credible & np.isfinite(path.covariance).all(axis=(1, 2))
     states, covariance = found.states.copy(), np.zeros((len(found), VARIED, VARIED))
     covariance[:, :6, :6] = found.covariance
@@ -91,9 +92,18 @@ def with_backspin(
 
 
 def _reasons(
-    found: FittedReleases, path: Refined, flight: Flags, precision: Floats, undecided: Flags
+    found: FittedReleases,
+    path: Refined,
+    flight: Flags,
+    before: tuple[Floats, Floats],
+    undecided: Flags,
 ) -> tuple[str, ...]:
-    """Return why each track is not credible, "" for one that is."""
+    """Return why each track is not credible, "" for one that is.
+
+    With two contacts between two frames another backspin, far from that which was known `before`,
+    may fit the frames as well as the true one.
+    """
+    backspin, precision = before
     counts, outliers = path.frames.sum(axis=1), path.outliers.sum(axis=1)
     kept = path.frames & ~path.outliers
     free = np.maximum(3.0 * kept.sum(axis=1) - VARIED + (precision > 0.0), 1.0)
@@ -107,8 +117,10 @@ def _reasons(
     large |= (after & path.outliers).sum(axis=1) > MAX_OUTLIERS * after.sum(axis=1)
     reasons = np.array(found.reason, dtype=object)
     unknown = ~np.isfinite(path.covariance).all(axis=(1, 2))
-    reasons[undecided & ~large & path.settled & ~unknown] = ""
+    far = (path.variables[:, 6] - backspin) ** 2 * precision > chdtri(1.0, LEVEL)
+    reasons[undecided & ~large & ~far & path.settled & ~unknown] = ""
     for reason, which in (
+        (FAR_BACKSPIN, far),
         (AFTER_CONTACT, large),
         (UNSETTLED_PATH, ~path.settled),
         (NO_BACKSPIN, unknown),

@@ -86,7 +86,8 @@ class FittedReleases(Result):
         the fit or its cut at the first contact does not settle, the estimated noise is larger than
         the ball (all tracks at a hoop are called so; their unit or clock is another one), or the
         fitted release cannot be simulated. Of a fitted backspin: the frames after the first contact
-        do not fit it, or nothing shows the backspin. "" for a credible one.
+        do not fit it, nothing shows it, or it is further from the one given than `backspin_sd`
+        allows (at 0.1%). "" for a credible one.
     labels
         Of the tracks, as given; else their numbers from 0.
     backspin

@@ -16,7 +16,7 @@ from scipy.stats import binomtest
 
 import hoopgen
 from hoopgen import COURT, HOOP, NBA, NBA_COURT, fit_release
-from hoopgen.study.recovery.fitted_backspin import AFTER_CONTACT, NO_BACKSPIN
+from hoopgen.study.recovery.fitted_backspin import AFTER_CONTACT, FAR_BACKSPIN, NO_BACKSPIN
 from hoopgen.study.recovery.fitted_releases import FittedReleases
 from hoopgen.study.recovery.paths import follow_paths
 from hoopgen.study.recovery.posterior import without_prior
@@ -136,6 +136,25 @@ def test_a_scene_of_another_restitution_does_not_explain_the_bounces() -> None:
     assert found.reason.count(AFTER_CONTACT) > 20
     right = fit(times, positions, noise=0.01, backspin=MEAN, backspin_sd=SPREAD)
     assert right.reason.count(AFTER_CONTACT) < 5
+
+
+def test_a_backspin_far_from_what_was_known_is_not_credible() -> None:
+    """Two contacts 10 ms apart, between two frames, look like one with another backspin."""
+    random, count, mean = np.random.default_rng(7), 117, 14.0
+    backspin = random.normal(mean, SPREAD, 300)
+    speed, elevation, azimuth = (random.normal(*of, 300) for of in ((7.17, 0.1), (52, 1.5), (0, 1)))
+    angles = np.radians(elevation), np.radians(azimuth)
+    states = hoopgen.release(speed, *angles, backspin=backspin, height=2.13, distance=4.19)
+    shots = hoopgen.simulate(states[:count], hoopgen.NBA, record=True)
+    for shot in range(count):
+        path = shots.trajectory(shot)
+        times = np.arange(0.0, path.duration, 1 / 30)
+        positions = path.at(times)[:, :3] + random.normal(0.0, 0.01, (len(times), 3))
+    contacts = path.events["time"][:2]
+    assert contacts[1] - contacts[0] < 0.011
+    found = fit(times, positions, noise=0.01, backspin=mean, backspin_sd=SPREAD)
+    assert found.reason == (FAR_BACKSPIN,)
+    assert abs(found.backspin[0] - backspin[shot]) > 10 * SPREAD
 
 
 def test_tracks_that_end_before_a_contact_show_no_backspin() -> None:
