@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
-import numpy as np
 
 from hoopgen.hoop.court_places import find_place
 from hoopgen.text.shorten import join_names
@@ -157,6 +156,7 @@ def fitted_player(
     """
     if file is None:
         return Player(None, parameters_of(engine, preset, settings))
+    from hoopgen.study.models.measured_columns import measuring_errors
     from hoopgen.study.models.scatter import Scatter
     from hoopgen.study.tables.provenance import origin_of
 
@@ -175,11 +175,7 @@ def fitted_player(
     )
     measured, invalid = table.measured(source)
     columns: dict[str, Any] = {**table.origin.release, **measured}
-    errors: Any = {
-        name: one
-        for name, one in {**table.error_variances(source), **options.errors}.items()
-        if np.ndim(columns.get(name, 0.0))
-    }
+    errors: Any = measuring_errors(columns, table.error_variances(source), options.errors)
     fitted: Any
     with names_table("--from", file):
         fitted = Scatter.fit(columns, measurement_covariance=errors)  # without groups, of one

@@ -10,7 +10,6 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import click
-import numpy as np
 
 from hoopgen.hoop.court_places import find_place
 from hoopgen.hoop.variables import change_variables
@@ -107,9 +106,7 @@ class Releasing:
         from hoopgen.study.models.scatter import Scatter
 
         columns: dict[str, Any] = {**self.measured, **self.values}
-        errors: dict[str | tuple[str, str], Any] = {
-            name: one for name, one in self.errors.items() if np.ndim(columns.get(name, 0.0))
-        }
+        errors: Any = self.errors
         with names_table("--fitted", self.file):
             return Scatter.fit(columns, self.group, errors)
 
@@ -206,6 +203,8 @@ class Releasing:
         ValueError
             If the table cannot be read as releases; the message names the column.
         """
+        from hoopgen.study.models.measured_columns import measuring_errors
+
         if self.sd:
             raise click.UsageError(
                 "--scatter is about a release, and --from has many; leave one out"
@@ -227,9 +226,10 @@ class Releasing:
         )
         measured, invalid = table.measured(source)
         scene, values = table.origin.parameters, table.origin.release
-        errors = {n: v for n, v in table.error_variances(source).items() if n not in self.errors}
+        of_table = table.error_variances(source)
+        errors = measuring_errors({**measured, **values}, of_table, self.errors)
         model = replace(self, values=values, parameters=scene, measured=measured, group=labels)
-        return replace(model, file=file, errors={**errors, **self.errors}), table, invalid
+        return replace(model, file=file, errors=errors), table, invalid
 
 
 _FROM = together(

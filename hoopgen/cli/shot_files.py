@@ -113,19 +113,20 @@ def simulation_options(
     base = parameters_of(engine, preset, {}) if preset else None
     source = reading.source(file)
     _refuse_columns(engine, source, reading, preset, settings)
+    says = f"{file.name} names no scene"
     try:
         origin = origin_of(source, engine)
     except OtherScene:
         if not context.params["override"]:
             raise
-        origin = None
+        origin, says = None, f"{file.name} is of another scene, which --override replaces"
     if base is None:
         base = origin.parameters if origin else engine.parameters
     parameters = {**base, **settings} if preset or settings else None
     assumption = ""
     if engine.is_hoop and not preset and not (origin or names_hoop(source, reading.own)):
         scene = describe_scene(engine, parameters or engine.parameters)
-        text = f"{file.name} names no scene: {scene} is assumed; --preset names another"
+        text = f"{says}: {scene} is assumed; --preset names another"
         assumption = f"hoopgen: {printable(text)}"
     contacts = context.params.get("max_contacts")
     return {"parameters": parameters, "max_contacts": contacts}, assumption

@@ -18,7 +18,7 @@ _NAMES = {*ARGUMENTS, *ALTERNATIVE_VARIABLES, "depth", "target", "moving", "posi
 _MISSING = re.compile(r"missing (?P<names>\w+(?:(?:, | and )\w+)*)")
 
 _PYTHON: Sequence[tuple[str, str, str]] = (
-    ("", r"\(\w+=\w*, (--[\w-]+)\)", r"(\1)"),
+    ("", r"\((?:\w+=\w*|\w+\.\w+), (--[\w-]+)\)", r"(\1)"),
     ("", r" \([^()]*\brad\)", ""),
     ("columns", r"(--column \S+), columns=\{[^{}]*\}", r"\1"),
     ("", r"\bthe same call goes on\b", "the same command goes on"),

@@ -16,6 +16,7 @@ from hoopgen.hoop.court_places import find_place
 from hoopgen.hoop.variables import change_variables
 from hoopgen.simulation.engine import Engine
 from hoopgen.study.models.fitted_scatter import FittedScatter
+from hoopgen.study.models.measured_columns import measuring_errors
 from hoopgen.study.models.resample import Resample
 from hoopgen.study.models.scatter import Scatter
 from hoopgen.study.questions.settings import MeasuredReleases
@@ -164,11 +165,9 @@ class ShotSource:
                 "releases.group: with fitted there is one scatter; choose a player by where"
             )
         columns = self._measured(releases)
-        known: dict[str, Any] = error_variances(self._source(releases), columns, self.engine)
-        known |= {name: sd**2 for name, sd in releases.instrument.items()}
-        errors: dict[str | tuple[str, str], Any] = {
-            name: one for name, one in known.items() if np.ndim(columns.get(name, 0.0))
-        }
+        of_table = error_variances(self._source(releases), columns, self.engine)
+        given = {name: sd**2 for name, sd in releases.instrument.items()}
+        errors: Any = measuring_errors(columns, of_table, given)
         found = Scatter.fit(columns, measurement_covariance=errors)
         assert isinstance(found, FittedScatter)
         return found

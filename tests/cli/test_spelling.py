@@ -93,6 +93,15 @@ def seen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         (f"coach --scene {GOLF}", "error: --scene: its question is a hoop's, and the scene golf"),
         ("estimate --from few.csv --fitted", "error: --fitted: few.csv: expected at least"),
         ("coach --from few.csv", "error: --from: few.csv: expected at least"),
+        (
+            "estimate --from seen.csv --fitted --instrument entry=2deg",
+            "error: --instrument: entry is no column of the table; expected one of speed",
+        ),
+        (
+            "coach --from seen.csv --instrument entry=2deg",
+            "error: --instrument: entry is no column of the table; expected one of speed",
+        ),
+        ("estimate --from seen.csv --gradient speed", "error: --gradient: the share made of meas"),
         ("calibrate seen.csv --vary restitution", "error: --instrument: expected standard errors"),
         ("calibrate seen.csv --vary restitution", ", such as speed=3cm/s\n"),
         (

@@ -153,3 +153,32 @@ def measuring_noise(
                 "variances allow"
             )
     return found
+
+
+def measuring_errors(
+    columns: Mapping[str, Any], of_table: Mapping[str, Any], given: Mapping[str, float]
+) -> dict[str, Any]:
+    """Return the variances of the measuring errors of columns, SI.
+
+    Parameters
+    ----------
+    columns
+        Measured releases by variable; one number is not measured, but the same for all.
+    of_table
+        Variances that the table says, by variable; those of no column are left out.
+    given
+        Variances in their place.
+
+    Raises
+    ------
+    ValueError
+        If a variance is given of what is no column; the message begins with `instrument`.
+    """
+    measured = [name for name, one in columns.items() if np.ndim(one)]
+    for name in given:
+        if name not in measured:
+            raise ValueError(
+                f"instrument: {name} is no column of the table; expected one of "
+                f"{', '.join(measured)}"
+            )
+    return {name: one for name, one in {**of_table, **given}.items() if name in measured}

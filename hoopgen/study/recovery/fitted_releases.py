@@ -85,9 +85,8 @@ class FittedReleases(Result):
         lie on another parabola), frames before the flight begins (the first two are outliers),
         the fit or its cut at the first contact does not settle, the estimated noise is larger than
         the ball (all tracks at a hoop are called so; their unit or clock is another one), or the
-        fitted release cannot be simulated. Of a fitted backspin: the frames after the first contact
-        do not fit it, nothing shows it, or it is further from the one given than `backspin_sd`
-        allows (at 0.1%). "" for a credible one.
+        fitted release cannot be simulated. Of a backspin: frames after the first contact do not fit
+        it, nothing shows it, or it is too far from the one given (0.1%). "" for a credible one.
     labels
         Of the tracks, as given; else their numbers from 0.
     backspin

@@ -192,10 +192,9 @@ def test_models_and_parameters_without_a_derivative_are_refused() -> None:
     measured = hoopgen.Resample(
         {"speed": [7.1, 7.2], "elevation": 0.9, "height": 2.1, "distance": 4.2}
     )
-    with pytest.raises(TypeError, match=r"gradient: mean\.speed is a derivative by a Scatter"):
-        hoopgen.estimate(measured, shots=100, gradient=["mean.speed"])
-    with pytest.raises(ValueError, match=r"gradient: .* in jumps with restitution.*Scatter\.fit"):
-        hoopgen.estimate(measured, shots=100, gradient=["restitution"])
+    for name in ("mean.speed", "speed", "restitution"):
+        with pytest.raises(ValueError, match=rf"gradient: .* in jumps with {name}.*Scatter\.fit"):
+            hoopgen.estimate(measured, shots=100, gradient=[name])
     random = hoopgen.Scatter(RELEASE, SD | {"restitution": 0.01})
     with pytest.raises(ValueError, match=r"gradient: restitution .* ask for mean\.restitution"):
         hoopgen.estimate(random, shots=100, gradient=["restitution"])
