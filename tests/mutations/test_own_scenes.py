@@ -46,7 +46,7 @@ from tests.scene import (
     test_roots,
     test_shelf,
 )
-from tests.scene.test_friction_switch import FLOOR
+from tests.scene.test_friction_switch import ESTIMATED
 from tests.scene.test_shelf import SHELF
 
 pytestmark = [pytest.mark.xdist_group("own_mutations")]
@@ -203,7 +203,7 @@ behind_cone = OfEngine(
 switch = OfEngine(
     test_friction_switch.test_the_switch_between_grip_and_slip_is_undecided_within_its_error,
     cases(test_friction_switch.test_the_switch_between_grip_and_slip_is_undecided_within_its_error),
-    scene=FLOOR,
+    scene=ESTIMATED,
 )
 
 
@@ -366,6 +366,11 @@ FAULTS = (
             "leaves = all_of(spent, holds)",
         ),
         on_shelf["a_fast_ball_is_thrown_off_at_the_edge"],
+    ),
+    Planted(
+        "as bounces end a ball is beside the surface that it is on",
+        in_text(contact_stages, "nearest_others", 'yield If("beside", other)', "yield from other"),
+        on_shelf["a_ball_rolls_across_an_end_plane"],
     ),
     Planted(
         "a rolling ball's place is not moved",

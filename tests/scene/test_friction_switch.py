@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 
-from hoopgen.scene import End, Parameter, Plane, Scene
+from hoopgen.scene import End, Parameter, Plane, Scene, Sphere
 from hoopgen.simulation.engine import Engine
 from tests.scene.test_example_scenes import numpy_engine
 
@@ -26,9 +27,21 @@ FLOOR = Scene(
 """A ball that falls a metre comes down with 4 m/s; mu times twice that stops a slip of 5 m/s."""
 
 
-@pytest.fixture(scope="module")
-def floor(tmp_path_factory: pytest.TempPathFactory) -> Engine:
-    return numpy_engine(FLOOR, tmp_path_factory.mktemp("floor"))
+ESTIMATED = replace(
+    FLOOR,
+    name="rough_floor_and_ball",
+    bodies=[*FLOOR.bodies, Sphere("far", radius=1.0, centre=(100.0, 0.0, -0.5))],
+)
+"""The same with a body far away that has no proved bounds: there errors are estimated."""
+
+
+@pytest.fixture(scope="module", params=[FLOOR, ESTIMATED], ids=lambda scene: scene.name)
+def floor(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Engine:
+    return numpy_engine(request.param, tmp_path_factory.mktemp("floor"))
+
+
+def test_bounds_on_errors_are_proved_without_the_ball_alone() -> None:
+    assert [scene.derive().proves_errors for scene in (FLOOR, ESTIMATED)] == [True, False]
 
 
 @pytest.mark.sampled(5)
